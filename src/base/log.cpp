@@ -1,0 +1,68 @@
+// spdlog behind a small surface, so that its headers are compiled once.
+#include "base/log.h"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace gnomon {
+namespace {
+
+spdlog::level::level_enum to_spdlog(LogLevel level) {
+  switch (level) {
+    case LogLevel::debug: return spdlog::level::debug;
+    case LogLevel::info: return spdlog::level::info;
+    case LogLevel::warning: return spdlog::level::warn;
+    case LogLevel::error: return spdlog::level::err;
+  }
+  return spdlog::level::info;
+}
+
+spdlog::logger& logger() {
+  static const std::shared_ptr<spdlog::logger> instance = [] {
+    auto created = spdlog::stderr_color_mt("gnomon");
+    created->set_pattern("%^%n: %l:%$ %v");
+    return created;
+  }();
+  return *instance;
+}
+
+}  // namespace
+
+void log_line(LogLevel level, std::string_view text) {
+  if (level == LogLevel::info) {
+    logger().set_pattern("%n: %v");
+  } else {
+    logger().set_pattern("%n: %^%l%$: %v");
+  }
+  logger().log(to_spdlog(level), text);
+}
+
+void set_log_level(LogLevel lowest_shown) { logger().set_level(to_spdlog(lowest_shown)); }
+
+Progress::Progress(std::string title, uint64_t total)
+    : title_(std::move(title)), total_(std::max<uint64_t>(total, 1)), start_(Clock::now()), last_drawn_(start_), on_terminal_(isatty(2) == 1) {}
+
+Progress::~Progress() {
+  if (drawn_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::update(uint64_t done) {
+  using namespace std::chrono_literals;
+  if (!on_terminal_) return;
+  const auto now = Clock::now();
+  if (now - start_ < 1s || now - last_drawn_ < 100ms) return;
+  last_drawn_ = now;
+  drawn_ = true;
+  constexpr int k_width = 32;
+  const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
+  const int filled = static_cast<int>(share * k_width);
+  const std::string bar = std::string(static_cast<size_t>(filled), '#') + std::string(static_cast<size_t>(k_width - filled), '.');
+  std::fprintf(stderr, "\r\033[K%s [%s] %3.0f %%", title_.c_str(), bar.c_str(), 100.0 * share);
+  std::fflush(stderr);
+}
+
+}  // namespace gnomon
