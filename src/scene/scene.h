@@ -1,0 +1,130 @@
+// A scene as the CPU holds it: what loaders and built-in generators produce, and what upload, the CPU reference and the content
+// hash read. World space: metres, right-handed, +Y up. Triangles wind counter-clockwise seen from the front.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "base/maths.h"
+
+namespace gnomon {
+
+// A picture that materials refer to. Wrap mode is per texture, as in glTF's samplers.
+enum class Wrap : uint32_t { repeat, clamp, mirror };
+struct Texture {
+  std::string name;
+  Image8 image;
+  bool srgb = true;  // colour; false for normal maps
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+};
+
+// KHR_texture_transform: uv' = offset + rotation * (scale * uv), radians counter-clockwise. The rows of a 2x3 matrix.
+struct UvTransform {
+  vec3 row_u = vec3(1, 0, 0), row_v = vec3(0, 1, 0);
+  static UvTransform from(vec2 offset, float rotation, vec2 scale);
+  vec2 apply(vec2 uv) const { return {row_u.x * uv.x + row_u.y * uv.y + row_u.z, row_v.x * uv.x + row_v.y * uv.y + row_v.z}; }
+};
+
+inline constexpr int k_no_texture = -1;
+
+// Alpha-tested (masked) materials: a point exists where base alpha * texture alpha >= alpha_cutoff.
+struct Material {
+  std::string name;
+  vec4 base_colour = vec4(1.0f);  // linear
+  int base_colour_texture = k_no_texture;  // RGB colour, A coverage
+  int normal_texture = k_no_texture;       // tangent space, +Y up (OpenGL convention)
+  float normal_scale = 1.0f;
+  UvTransform base_colour_uv, normal_uv;
+  bool masked = false;
+  float alpha_cutoff = 0.5f;
+  bool double_sided = false;
+  vec3 specular = vec3(0.0f);  // Blinn-Phong colour and exponent
+  float shininess = 32.0f;
+  vec3 emissive = vec3(0.0f);
+};
+
+// Triangles of one material. Every vector has one entry per vertex, except `indices` (three per triangle); loaders fill all
+// of them (scene/mesh_tools.h makes what a file leaves out).
+struct MeshPart {
+  std::vector<vec3> positions;
+  std::vector<vec3> normals;      // unit
+  std::vector<vec4> tangents;     // unit xyz, w = handedness (+1 or -1), as in glTF
+  std::vector<vec2> uvs;          // v runs downward, as in glTF and Vulkan
+  std::vector<vec4> colours;      // linear; white where the file has none
+  std::vector<uint32_t> indices;
+  int material = 0;
+
+  size_t triangle_count() const { return indices.size() / 3; }
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<MeshPart> parts;
+  Box bounds() const;
+};
+
+// One placed mesh: what culling, the object id and the caster flag refer to.
+struct Object {
+  std::string name;
+  int mesh = 0;
+  mat4 world_from_object = mat4(1.0f);
+  bool casts = true;
+};
+
+enum class LightKind : uint32_t { directional, point, spot };
+struct Light {
+  std::string name;
+  LightKind kind = LightKind::directional;
+  vec3 position = vec3(0.0f);           // point and spot
+  vec3 direction = vec3(0, -1, 0);      // unit, the way the light travels; directional and spot
+  vec3 colour = vec3(1.0f);             // linear
+  float intensity = 1.0f;               // lux for directional, candela for point and spot, as in KHR_lights_punctual
+  float angular_diameter = 0.0f;        // radians; a disc-shaped sun
+  float radius = 0.0f;                  // metres; of the emitting sphere of point and spot lights
+  float range = 0.0f;                   // metres; 0 = unlimited
+  float inner_cone = 0.0f, outer_cone = k_pi / 4.0f;  // half angles, radians
+};
+
+struct Camera {
+  std::string name;
+  mat4 world_from_view = mat4(1.0f);  // looks along its own -Z, +Y up
+  bool orthographic = false;
+  float vertical_fov = k_pi / 3.0f;   // radians; perspective
+  float half_height = 1.0f;           // metres; orthographic
+  float near = 0.1f;
+  float far = 1000.0f;                // the perspective projection is infinite; techniques that slice the view use this
+};
+
+// The exact fraction of a light that reaches a point of a chart's receiver, in [0, 1]; nullopt where no closed form is known
+// (points of the caster itself). `point_ws` is in double precision so that the answer is exact at an edge.
+using ClosedFormVisibility = std::function<std::optional<double>(const glm::dvec3& point_ws, const Light& light)>;
+
+struct Scene {
+  std::string name;    // built-in name, or the file's name without folder
+  std::string source;  // path, or empty for a built-in scene
+  std::vector<Texture> textures;
+  std::vector<Material> materials;  // at least one
+  std::vector<Mesh> meshes;
+  std::vector<Object> objects;
+  std::vector<Light> lights;    // may be empty: the sun is then the default of the `light` settings
+  std::vector<Camera> cameras;  // may be empty: the camera then frames the scene
+  ClosedFormVisibility closed_form;  // test charts only
+
+  Box bounds() const;               // world space
+  size_t triangle_count() const;    // as drawn: instances counted
+  // Of everything that can change a picture: geometry, materials, textures, transforms, lights, cameras. 16 hex digits.
+  std::string content_hash() const;
+};
+
+// Throws Error where an invariant of the structs above does not hold (index ranges, sizes, finite numbers), naming the place:
+// what every loader and generator must pass.
+void check_scene(const Scene& scene);
+
+// The camera that shows the whole scene from above at an angle, for scenes that bring none. aspect = width / height.
+Camera framing_camera(const Scene& scene, float aspect);
+
+}  // namespace gnomon
