@@ -1,9 +1,12 @@
 // Lets one text be GLSL and C++: shared structs and functions are written once. Shared text uses the vector types, uint, float,
-// `inline_function` before functions, and the functions that GLSL and GLM have in common.
+// `inline_function` before functions, `shared_constant` before constants, `exact_float` before floats that must round the same
+// way in both (no fused multiply-add), and the functions that GLSL and GLM have in common.
 #ifdef __cplusplus
 #pragma once
 #include "base/maths.h"
 #define inline_function inline
+#define shared_constant inline constexpr
+#define exact_float
 namespace gnomon {
 using uint = uint32_t;
 using glm::abs;
@@ -31,5 +34,7 @@ using glm::uvec4;
 #ifndef GNOMON_SHARED_GLSL
 #define GNOMON_SHARED_GLSL
 #define inline_function
+#define shared_constant const
+#define exact_float precise
 #endif
 #endif
