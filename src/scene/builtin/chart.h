@@ -1,0 +1,26 @@
+// What the charts have in common: a floor at y = 0, one sun, and when a point counts as floor.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/closed_form.h"
+
+namespace gnomon {
+
+// Materials 0 (floor) and 1 (caster), the floor's object, and the sun of the options `elevation`, `azimuth` and `sun_deg`.
+Scene chart_with_floor(const std::string& name, float half_side_m, const BuiltinOptions& options);
+
+// Closed forms answer for floor points only: |y| up to a tenth of a millimetre and outside the caster.
+bool is_floor_point(const glm::dvec3& point);
+
+template <class Occluder>
+ClosedFormVisibility floor_visibility(Occluder occluder) {
+  return [occluder = std::move(occluder)](const glm::dvec3& point, const Light& light) -> std::optional<double> {
+    if (!is_floor_point(point)) return std::nullopt;
+    return closed_form_visibility(point, light, occluder);
+  };
+}
+
+}  // namespace gnomon
