@@ -1,0 +1,214 @@
+// Scene: bounds, counts, content hash, invariants, framing camera, texture transforms.
+#include "scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "base/error.h"
+#include "scene/load.h"
+
+namespace gnomon {
+namespace {
+
+MeshPart triangle_part() {
+  MeshPart part;
+  part.positions = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}};
+  part.normals.assign(3, vec3(0, 0, 1));
+  part.tangents.assign(3, vec4(1, 0, 0, 1));
+  part.uvs = {{0, 1}, {1, 1}, {0, 0}};
+  part.colours.assign(3, vec4(1.0f));
+  part.indices = {0, 1, 2};
+  return part;
+}
+
+Scene small_scene() {
+  Scene scene;
+  scene.name = "small";
+  scene.textures.push_back({.name = "t", .image = Image8(2, 2), .srgb = true, .wrap_u = Wrap::repeat, .wrap_v = Wrap::clamp});
+  Material material;
+  material.base_colour_texture = 0;
+  scene.materials.push_back(material);
+  scene.meshes.push_back({"mesh", {triangle_part()}});
+  Object object;
+  scene.objects.push_back(object);
+  object.world_from_object = glm::translate(mat4(1.0f), vec3(10, 20, 30));
+  scene.objects.push_back(object);
+  scene.lights.emplace_back();
+  scene.cameras.emplace_back();
+  return scene;
+}
+
+std::string error_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Scene, BoundsAndTrianglesCountInstances) {
+  const Scene scene = small_scene();
+  EXPECT_EQ(scene.triangle_count(), 2u);
+  const Box box = scene.bounds();
+  EXPECT_EQ(box.min, vec3(0, 0, 0));
+  EXPECT_EQ(box.max, vec3(12, 21, 30));
+  EXPECT_TRUE(Scene().bounds().empty());
+}
+
+TEST(Scene, ContentHashSeesWhatChangesAPictureAndNothingElse) {
+  const std::string hash = small_scene().content_hash();
+  EXPECT_EQ(hash.size(), 16u);
+  EXPECT_EQ(hash, small_scene().content_hash());
+
+  const auto hash_with = [](const std::function<void(Scene&)>& change) {
+    Scene scene = small_scene();
+    change(scene);
+    return scene.content_hash();
+  };
+  EXPECT_EQ(hash, hash_with([](Scene& s) { s.name = "other", s.objects[0].name = "renamed"; }));
+  const std::vector<std::function<void(Scene&)>> changes = {
+      [](Scene& s) { s.meshes[0].parts[0].positions[1].x = 3; },
+      [](Scene& s) { s.meshes[0].parts[0].normals[1].x = 0.1f; },
+      [](Scene& s) { s.meshes[0].parts[0].uvs[1].x = 3; },
+      [](Scene& s) { std::swap(s.meshes[0].parts[0].indices[0], s.meshes[0].parts[0].indices[1]); },
+      [](Scene& s) { s.textures[0].image.rgba[5] = 1; },
+      [](Scene& s) { s.textures[0].wrap_u = Wrap::mirror; },
+      [](Scene& s) { s.materials[0].masked = true; },
+      [](Scene& s) { s.materials[0].double_sided = true; },
+      [](Scene& s) { s.materials[0].normal_uv.row_u.z = 0.5f; },
+      [](Scene& s) { s.objects[1].world_from_object[3].x += 1e-3f; },
+      [](Scene& s) { s.objects[1].casts = false; },
+      [](Scene& s) { s.objects.pop_back(); },
+      [](Scene& s) { s.lights[0].radius = 0.1f; },
+      [](Scene& s) { s.cameras[0].far = 10.0f; },
+  };
+  for (size_t i = 0; i < changes.size(); ++i) EXPECT_NE(hash, hash_with(changes[i])) << "change " << i;
+}
+
+TEST(Scene, CheckNamesThePlace) {
+  EXPECT_NO_THROW(check_scene(small_scene()));
+  const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  const std::vector<std::pair<std::string, std::function<void(Scene&)>>> breaks = {
+      {"materials", [](Scene& s) { s.materials.clear(); }},
+      {"textures[0].image", [](Scene& s) { s.textures[0].image.rgba.pop_back(); }},
+      {"materials[0].base_colour_texture", [](Scene& s) { s.materials[0].base_colour_texture = 1; }},
+      {"materials[0].normal_texture", [](Scene& s) { s.materials[0].normal_texture = -2; }},
+      {"meshes[0].parts[0].indices[2]", [](Scene& s) { s.meshes[0].parts[0].indices[2] = 3; }},
+      {"meshes[0].parts[0].indices", [](Scene& s) { s.meshes[0].parts[0].indices.pop_back(); }},
+      {"meshes[0].parts[0]", [](Scene& s) { s.meshes[0].parts[0].uvs.pop_back(); }},
+      {"meshes[0].parts[0].material", [](Scene& s) { s.meshes[0].parts[0].material = 1; }},
+      {"meshes[0].parts[0].positions[1]", [=](Scene& s) { s.meshes[0].parts[0].positions[1].y = nan; }},
+      {"meshes[0].parts[0].uvs[2]", [=](Scene& s) { s.meshes[0].parts[0].uvs[2].y = inf; }},
+      {"meshes[0].parts[0].normals[0]", [](Scene& s) { s.meshes[0].parts[0].normals[0] = vec3(0.0f); }},
+      {"meshes[0].parts[0].normals[0]", [=](Scene& s) { s.meshes[0].parts[0].normals[0].x = nan; }},
+      {"meshes[0].parts[0].tangents[1].w", [](Scene& s) { s.meshes[0].parts[0].tangents[1].w = 0; }},
+      {"objects[1].mesh", [](Scene& s) { s.objects[1].mesh = 1; }},
+      {"objects[0].world_from_object", [=](Scene& s) { s.objects[0].world_from_object[2].y = -inf; }},
+      {"objects[0].world_from_object", [](Scene& s) { s.objects[0].world_from_object[3].w = 2; }},
+      {"lights[0].direction", [](Scene& s) { s.lights[0].direction = vec3(1.0f); }},
+      {"lights[0].intensity", [](Scene& s) { s.lights[0].intensity = -1; }},
+      {"lights[0].inner_cone", [](Scene& s) { s.lights[0].inner_cone = 1.5f; }},
+      {"cameras[0].vertical_fov", [](Scene& s) { s.cameras[0].vertical_fov = 4.0f; }},
+      {"cameras[0].near", [](Scene& s) { s.cameras[0].near = 0.0f; }},
+      {"cameras[0].far", [](Scene& s) { s.cameras[0].far = 0.05f; }},
+  };
+  for (const auto& [place, damage] : breaks) {
+    Scene scene = small_scene();
+    damage(scene);
+    const std::string message = error_of([&] { check_scene(scene); });
+    EXPECT_TRUE(message.starts_with("small: " + place + ":")) << place << " -> " << message;
+  }
+}
+
+TEST(Scene, FramingCameraShowsEveryCorner) {
+  for (const float size : {1e-3f, 1.0f, 5e4f}) {
+    for (const float aspect : {0.5f, 1.0f, 2.4f}) {
+      Scene scene = small_scene();
+      for (Object& object : scene.objects) object.world_from_object = glm::scale(mat4(1.0f), vec3(size)) * object.world_from_object;
+      const Camera camera = framing_camera(scene, aspect);
+      const mat4 view_from_world = glm::inverse(camera.world_from_view);
+      const Box box = scene.bounds();
+      float widest = 0.0f;
+      for (int i = 0; i < 8; ++i) {
+        const vec3 p = vec3(view_from_world * vec4(box.corner(i), 1.0f));
+        EXPECT_GT(-p.z, camera.near);
+        EXPECT_LT(-p.z, camera.far);
+        const float y = std::abs(p.y / p.z) / std::tan(camera.vertical_fov / 2), x = std::abs(p.x / p.z) / std::tan(camera.vertical_fov / 2) / aspect;
+        widest = std::max({widest, x, y});
+      }
+      EXPECT_LE(widest, 1.0f);
+      EXPECT_GE(widest, 0.85f) << "the scene should fill the view";
+      const vec3 back = vec3(camera.world_from_view[2]);
+      EXPECT_NEAR(std::asin(back.y), k_pi / 6, 1e-4f);
+      EXPECT_LT(camera.far / camera.near, 1e4f);
+      scene.cameras = {camera};
+      EXPECT_NO_THROW(check_scene(scene));
+    }
+  }
+}
+
+TEST(Scene, FramingCameraOfNothingIsValid) {
+  Scene scene;
+  scene.materials.emplace_back();
+  scene.cameras = {framing_camera(scene, 1.5f)};
+  EXPECT_NO_THROW(check_scene(scene));
+}
+
+TEST(UvTransform, ScaleThenRotationThenOffset) {
+  const UvTransform t = UvTransform::from({0.0f, 1.0f}, k_pi / 2, {0.5f, 0.5f});
+  // The example of KHR_texture_transform: the lower left quadrant of the picture, turned.
+  const auto expect = [&](vec2 in, vec2 out) {
+    EXPECT_NEAR(t.apply(in).x, out.x, 1e-6f);
+    EXPECT_NEAR(t.apply(in).y, out.y, 1e-6f);
+  };
+  expect({0, 0}, {0.0f, 1.0f});
+  expect({1, 0}, {0.0f, 0.5f});
+  expect({0, 1}, {0.5f, 1.0f});
+  expect({1, 1}, {0.5f, 0.5f});
+  const UvTransform uneven = UvTransform::from({0, 0}, k_pi / 2, {2.0f, 3.0f});
+  EXPECT_NEAR(uneven.apply({1, 0}).y, -2.0f, 1e-6f);
+  EXPECT_NEAR(uneven.apply({0, 1}).x, 3.0f, 1e-6f);
+}
+
+TEST(LoadScene, UnknownNameIsAUsageErrorThatListsWhatIsValid) {
+  try {
+    load_scene("no_such_scene");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::usage);
+    const std::string message = error.what();
+    EXPECT_TRUE(message.starts_with("no_such_scene:"));
+    EXPECT_NE(message.find(".glb"), std::string::npos);
+    for (const BuiltinScene& scene : builtin_scenes()) EXPECT_NE(message.find(scene.name), std::string::npos);
+  }
+}
+
+TEST(LoadScene, MissingFileIsAFailureThatNamesThePath) {
+  for (const std::string path : {"/nowhere/scene.obj", "/nowhere/scene.GLB", "/nowhere/scene.gltf"}) {
+    try {
+      load_scene(path);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::failure);
+      EXPECT_TRUE(std::string(error.what()).starts_with(path + ": ")) << error.what();
+    }
+  }
+}
+
+TEST(LoadScene, OptionsAreChecked) {
+  EXPECT_THROW(load_scene("/nowhere/scene.obj", {{"gap", 1.0}}), Error);
+  for (const BuiltinScene& scene : builtin_scenes()) {
+    const std::string message = error_of([&] { load_scene(scene.name, {{"no_such_option", 1.0}}); });
+    EXPECT_TRUE(message.starts_with("scene.no_such_option:")) << message;
+    for (const BuiltinOption& option : scene.options) {
+      EXPECT_THROW(load_scene(scene.name, {{option.name, option.max + 1.0}}), Error);
+      EXPECT_NO_THROW(load_scene(scene.name, {{option.name, option.default_value}}));
+      EXPECT_NE(message.find(option.name), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gnomon
