@@ -54,12 +54,21 @@ inline_function vec2 concentric_disc(vec2 square) {
 }
 
 // A point on the same side of its surface as `normal` (unit, the side the ray leaves on), far enough that the ray cannot hit its
-// own surface: rounding of the position grows with its magnitude and with the distance from the eye that reconstructed it.
-// Constants: 2^-20 of the largest coordinate covers 2^-24 of each operation in the chain depth -> position -> object space with
-// a margin of eight; at 10 m that is 0.01 mm, so no detachment can be seen.
+// own surface, near enough that no shadow detaches. Three errors add up, in metres along the normal:
+// - rounding of coordinates in the chain vertex -> depth -> position -> object space: up to 17 * 2^-24 of the largest one
+//   (measured: 10 for the inverse projection, the rest for the transforms); 2^-19 has a margin of two;
+// - the rasteriser moves vertices to a grid of 1/256 pixel, which tilts the depth of a surface seen at a grazing angle: up to
+//   1/512 pixel sideways, 3.8e-6 of the eye's distance at 600 lines and 60 degrees; 2^-17 = 7.6e-6 covers 300 lines;
+// - the distance of the ray's start from the plane of a triangle that is `plane_extent` metres large (reference/plane_extent.h),
+//   computed in floats by the tracer: 2^-23 of it (measured: 2^-24 suffices).
+// At 10 m, in a scene of metre-sized triangles, that is 0.1 mm: a two-hundredth of a pixel.
+inline_function vec3 ray_origin(vec3 position_ws, vec3 normal_ws, float eye_distance, float plane_extent) {
+  float largest = max(max(abs(position_ws.x), abs(position_ws.y)), max(abs(position_ws.z), 1.0f));
+  float offset = largest * 1.9073486328125e-06f + eye_distance * 7.62939453125e-06f + plane_extent * 1.1920928955078125e-07f;
+  return position_ws + normal_ws * offset;
+}
 inline_function vec3 ray_origin(vec3 position_ws, vec3 normal_ws, float eye_distance) {
-  float magnitude = max(max(abs(position_ws.x), abs(position_ws.y)), max(abs(position_ws.z), eye_distance));
-  return position_ws + normal_ws * (max(magnitude, 1.0f) * 9.5367431640625e-07f * 4.0f);
+  return ray_origin(position_ws, normal_ws, eye_distance, 0.0f);
 }
 
 #ifdef __cplusplus

@@ -14,6 +14,7 @@
 #include "base/log.h"
 #include "reference/cpu/acceleration.h"
 #include "reference/light_shape.h"
+#include "reference/plane_extent.h"
 
 namespace gnomon {
 namespace {
@@ -26,6 +27,7 @@ struct Job {
   std::span<const SurfacePoint> points;
   vec3 eye_ws;
   LightShape light;
+  float plane_extent;
   uint32_t samples, seed;
 };
 
@@ -63,7 +65,8 @@ class RayPacket {
 
 // The samples of one point that lie above its horizon; returns how many those are.
 uint32_t add_rays(const Job& job, size_t index, const SurfacePoint& point, RayPacket& packet) {
-  const vec3 origin = ray_origin(point.position_ws, point.geometric_normal_ws, glm::distance(point.position_ws, job.eye_ws));
+  const float eye_distance = glm::distance(point.position_ws, job.eye_ws);
+  const vec3 origin = ray_origin(point.position_ws, point.geometric_normal_ws, eye_distance, job.plane_extent);
   uint32_t counted = 0;
   for (uint32_t i = 0; i < job.samples; ++i) {
     const LightRay ray = light_ray(job.light, origin, light_sample(i, point.pixel, job.seed));
@@ -127,8 +130,9 @@ double mean_confidence(std::span<const SurfacePoint> points, std::span<const flo
 }  // namespace
 
 struct EmbreeReference::Implementation {
-  explicit Implementation(const Scene& scene) : acceleration(scene) {}
+  explicit Implementation(const Scene& scene) : acceleration(scene), extent(plane_extent(scene)) {}
   Acceleration acceleration;
+  float extent;
 };
 
 EmbreeReference::EmbreeReference(const Scene& scene) : implementation_(std::make_unique<Implementation>(scene)) {}
@@ -140,7 +144,7 @@ ReferenceResult EmbreeReference::trace(std::span<const SurfacePoint> points, con
                                        int samples, uint32_t seed) const {
   if (triangle_count() == 0) fail("the reference has no caster triangles: every point would be lit");
   if (samples < 1) fail("the reference needs at least one sample, not {}", samples);
-  Job job{points, eye_ws, light_shape(light, area), static_cast<uint32_t>(samples), seed};
+  Job job{points, eye_ws, light_shape(light, area), implementation_->extent, static_cast<uint32_t>(samples), seed};
   if (job.light.emitter_radius == 0.0f) job.samples = 1;
 
   ReferenceResult result;

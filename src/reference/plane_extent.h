@@ -1,0 +1,41 @@
+// How far a tracer's triangles let it misjudge on which side of a triangle a ray starts: the last term of ray_origin().
+#pragma once
+
+#include <algorithm>
+
+#include "scene/scene.h"
+
+namespace gnomon {
+
+// A tracer computes dot(n, vertex - origin) in object space; each product rounds relative to |n_i| times the triangle's extent
+// along axis i. Largest sum of those over a part's triangles, in object units: zero for axis-aligned ground, however large.
+inline float plane_extent(const MeshPart& part) {
+  float largest = 0.0f;
+  for (size_t i = 0; i + 2 < part.indices.size(); i += 3) {
+    const vec3 a = part.positions[part.indices[i]], b = part.positions[part.indices[i + 1]], c = part.positions[part.indices[i + 2]];
+    const vec3 normal = glm::cross(b - a, c - a);
+    const float length = glm::length(normal);
+    if (!(length > 0.0f)) continue;
+    const vec3 extent = glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c));
+    largest = std::max(largest, glm::dot(glm::abs(normal), extent) / length);
+  }
+  return largest;
+}
+
+// Of all casters, in metres.
+inline float plane_extent(const Scene& scene) {
+  std::vector<float> of_mesh(scene.meshes.size(), 0.0f);
+  for (size_t i = 0; i < scene.meshes.size(); ++i) {
+    for (const MeshPart& part : scene.meshes[i].parts) of_mesh[i] = std::max(of_mesh[i], plane_extent(part));
+  }
+  float largest = 0.0f;
+  for (const Object& object : scene.objects) {
+    if (!object.casts) continue;
+    const mat3 m(object.world_from_object);
+    const float scale = std::max(glm::length(m[0]), std::max(glm::length(m[1]), glm::length(m[2])));
+    largest = std::max(largest, scale * of_mesh[static_cast<size_t>(object.mesh)]);
+  }
+  return largest;
+}
+
+}  // namespace gnomon
