@@ -1,0 +1,96 @@
+// Images from VMA, their views and bindless indices.
+#include "gpu/image.h"
+
+#include <vk_mem_alloc.h>
+
+#include "base/error.h"
+
+namespace gnomon {
+
+Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(info) {
+  VkImageFormatProperties limits = {};
+  const VkResult supported = vkGetPhysicalDeviceImageFormatProperties(device.physical(), info.format, VK_IMAGE_TYPE_2D,
+                                                                      VK_IMAGE_TILING_OPTIMAL, info.usage, 0, &limits);
+  const std::string what = fmt::format("image '{}' ({} x {}, {} layers)", info.name, info.width, info.height, info.layers);
+  if (supported == VK_ERROR_FORMAT_NOT_SUPPORTED || !(limits.sampleCounts & info.samples)) {
+    fail_device("{}: the device cannot use format {} with {} samples this way", what, static_cast<int>(info.format), info.samples);
+  }
+  vk_check(supported, "vkGetPhysicalDeviceImageFormatProperties");
+  if (info.width > limits.maxExtent.width || info.height > limits.maxExtent.height || info.layers > limits.maxArrayLayers) {
+    fail_device("{}: the device's limit is {} x {}, {} layers", what, limits.maxExtent.width, limits.maxExtent.height, limits.maxArrayLayers);
+  }
+
+  VkImageCreateInfo create = {VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+  create.imageType = VK_IMAGE_TYPE_2D;
+  create.format = info.format;
+  create.extent = {info.width, info.height, 1};
+  create.mipLevels = info.mips;
+  create.arrayLayers = info.layers;
+  create.samples = static_cast<VkSampleCountFlagBits>(info.samples);
+  create.usage = info.usage;
+  VmaAllocationCreateInfo allocation = {};
+  allocation.usage = VMA_MEMORY_USAGE_AUTO_PREFER_DEVICE;
+  VmaAllocationInfo result = {};
+  const VkResult created = vmaCreateImage(device.allocator(), &create, &allocation, &image_, &allocation_, &result);
+  if (created != VK_SUCCESS) {
+    image_ = VK_NULL_HANDLE;
+    vk_check(created, what);
+  }
+  bytes_ = result.size;
+  device.note_allocation(static_cast<int64_t>(bytes_));
+  device.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(image_), info.name);
+  create_views();
+}
+
+VkImageAspectFlags Image::aspect() const {
+  return info_.format == VK_FORMAT_D32_SFLOAT || info_.format == VK_FORMAT_D16_UNORM ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+void Image::create_views() {
+  const bool array = info_.array || info_.layers > 1;
+  VkImageViewCreateInfo view = {VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+  view.image = image_;
+  view.viewType = array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+  view.format = info_.format;
+  view.subresourceRange = {aspect(), 0, info_.mips, 0, info_.layers};
+  vk_check(vkCreateImageView(device_->handle(), &view, nullptr, &view_), "vkCreateImageView");
+  if (info_.usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)) {
+    view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    for (uint32_t layer = 0; layer < info_.layers; ++layer) {
+      view.subresourceRange = {aspect(), 0, 1, layer, 1};
+      layer_views_.push_back(VK_NULL_HANDLE);
+      vk_check(vkCreateImageView(device_->handle(), &view, nullptr, &layer_views_.back()), "vkCreateImageView");
+    }
+  }
+  if (info_.usage & VK_IMAGE_USAGE_SAMPLED_BIT) sampled_ = device_->bindless().add_sampled(view_);
+  if (info_.usage & VK_IMAGE_USAGE_STORAGE_BIT) storage_ = device_->bindless().add_storage(view_);
+}
+
+void Image::release() noexcept {
+  if (!image_) return;
+  device_->note_allocation(-static_cast<int64_t>(bytes_));
+  device_->defer([device = device_, image = image_, allocation = allocation_, view = view_, layer_views = layer_views_,
+                  sampled = sampled_, storage = storage_] {
+    if (sampled != k_no_index) device->bindless().remove_sampled(sampled);
+    if (storage != k_no_index) device->bindless().remove_storage(storage);
+    for (const VkImageView layer_view : layer_views) vkDestroyImageView(device->handle(), layer_view, nullptr);
+    vkDestroyImageView(device->handle(), view, nullptr);
+    vmaDestroyImage(device->allocator(), image, allocation);
+  });
+  image_ = VK_NULL_HANDLE;
+}
+
+void Image::swap(Image& other) noexcept {
+  std::swap(device_, other.device_);
+  std::swap(info_, other.info_);
+  std::swap(image_, other.image_);
+  std::swap(allocation_, other.allocation_);
+  std::swap(bytes_, other.bytes_);
+  std::swap(view_, other.view_);
+  std::swap(layer_views_, other.layer_views_);
+  std::swap(sampled_, other.sampled_);
+  std::swap(storage_, other.storage_);
+  std::swap(state_, other.state_);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,196 @@
+// Pipeline creation.
+#include "gpu/pipeline.h"
+
+#include <array>
+#include <cstring>
+
+#include "base/error.h"
+#include "gpu/shader.h"
+
+namespace gnomon {
+namespace {
+
+// A shader module that lives as long as the creation of its pipeline.
+class ShaderModule {
+ public:
+  ShaderModule(Device& device, std::string_view name) : device_(device.handle()) {
+    const auto words = find_shader(name);
+    VkShaderModuleCreateInfo info = {VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+    info.codeSize = words.size_bytes();
+    info.pCode = words.data();
+    vk_check(vkCreateShaderModule(device_, &info, nullptr, &module_), fmt::format("vkCreateShaderModule({})", name));
+  }
+  ~ShaderModule() { vkDestroyShaderModule(device_, module_, nullptr); }
+  ShaderModule(const ShaderModule&) = delete;
+  ShaderModule& operator=(const ShaderModule&) = delete;
+
+  VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits bit, const VkSpecializationInfo* constants) const {
+    VkPipelineShaderStageCreateInfo info = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
+    info.stage = bit;
+    info.module = module_;
+    info.pName = "main";
+    info.pSpecializationInfo = constants;
+    return info;
+  }
+
+ private:
+  VkDevice device_;
+  VkShaderModule module_ = VK_NULL_HANDLE;
+};
+
+struct Specialisation {
+  explicit Specialisation(const SpecialisationConstants& constants) {
+    for (uint32_t i = 0; i < constants.size(); ++i) entries.push_back({i, i * 4, 4});
+    info = {static_cast<uint32_t>(entries.size()), entries.data(), constants.size() * 4, constants.data()};
+  }
+  Specialisation(const Specialisation&) = delete;
+  Specialisation& operator=(const Specialisation&) = delete;
+  std::vector<VkSpecializationMapEntry> entries;
+  VkSpecializationInfo info;
+};
+
+uint32_t align_up(uint32_t value, uint32_t alignment) { return (value + alignment - 1) / alignment * alignment; }
+
+}  // namespace
+
+void Pipeline::release() noexcept {
+  if (!pipeline_) return;
+  device_->defer([device = device_->handle(), pipeline = pipeline_] { vkDestroyPipeline(device, pipeline, nullptr); });
+  pipeline_ = VK_NULL_HANDLE;
+}
+
+void Pipeline::swap(Pipeline& other) noexcept {
+  std::swap(device_, other.device_);
+  std::swap(pipeline_, other.pipeline_);
+  std::swap(bind_point_, other.bind_point_);
+}
+
+Pipeline make_compute_pipeline(Device& device, std::string_view shader, const SpecialisationConstants& constants) {
+  const ShaderModule module(device, shader);
+  const Specialisation specialisation(constants);
+  VkComputePipelineCreateInfo info = {VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+  info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT, &specialisation.info);
+  info.layout = device.pipeline_layout();
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  vk_check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+           fmt::format("vkCreateComputePipelines({})", shader));
+  device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), std::string(shader));
+  return {device, pipeline, VK_PIPELINE_BIND_POINT_COMPUTE};
+}
+
+Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info) {
+  const Specialisation specialisation(info.constants);
+  const ShaderModule vertex(device, info.vertex);
+  std::vector<VkPipelineShaderStageCreateInfo> stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, &specialisation.info)};
+  std::unique_ptr<ShaderModule> fragment;
+  if (!info.fragment.empty()) {
+    fragment = std::make_unique<ShaderModule>(device, info.fragment);
+    stages.push_back(fragment->stage(VK_SHADER_STAGE_FRAGMENT_BIT, &specialisation.info));
+  }
+
+  const VkPipelineVertexInputStateCreateInfo vertex_input = {VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+  VkPipelineInputAssemblyStateCreateInfo assembly = {VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  VkPipelineViewportStateCreateInfo viewport = {VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+  viewport.viewportCount = viewport.scissorCount = 1;
+  VkPipelineRasterizationStateCreateInfo raster = {VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+  raster.depthClampEnable = info.depth_clamp && device.info().depth_clamp;
+  raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+  raster.lineWidth = 1.0f;
+  VkPipelineMultisampleStateCreateInfo multisample = {VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+  multisample.rasterizationSamples = static_cast<VkSampleCountFlagBits>(info.samples);
+  VkPipelineDepthStencilStateCreateInfo depth = {VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+  depth.depthTestEnable = depth.depthWriteEnable = VK_TRUE;
+  depth.depthCompareOp = info.depth_compare;
+  VkPipelineColorBlendAttachmentState no_blend = {};
+  no_blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  const std::vector<VkPipelineColorBlendAttachmentState> attachments(info.colour_formats.size(), no_blend);
+  VkPipelineColorBlendStateCreateInfo blend = {VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+  blend.attachmentCount = static_cast<uint32_t>(attachments.size());
+  blend.pAttachments = attachments.data();
+  const std::array<VkDynamicState, 3> dynamic_states = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_CULL_MODE};
+  VkPipelineDynamicStateCreateInfo dynamic = {VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+  dynamic.dynamicStateCount = static_cast<uint32_t>(dynamic_states.size());
+  dynamic.pDynamicStates = dynamic_states.data();
+
+  VkPipelineRenderingCreateInfo rendering = {VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+  rendering.colorAttachmentCount = static_cast<uint32_t>(info.colour_formats.size());
+  rendering.pColorAttachmentFormats = info.colour_formats.data();
+  rendering.depthAttachmentFormat = info.depth_format;
+  VkGraphicsPipelineCreateInfo create = {VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+  create.stageCount = static_cast<uint32_t>(stages.size());
+  create.pStages = stages.data();
+  create.pVertexInputState = &vertex_input;
+  create.pInputAssemblyState = &assembly;
+  create.pViewportState = &viewport;
+  create.pRasterizationState = &raster;
+  create.pMultisampleState = &multisample;
+  create.pDepthStencilState = &depth;
+  create.pColorBlendState = &blend;
+  create.pDynamicState = &dynamic;
+  create.layout = device.pipeline_layout();
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  const std::string name = info.vertex + (info.fragment.empty() ? "" : " + " + info.fragment);
+  vk_check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
+           fmt::format("vkCreateGraphicsPipelines({})", name));
+  device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), name);
+  return {device, pipeline, VK_PIPELINE_BIND_POINT_GRAPHICS};
+}
+
+RayPipeline::RayPipeline(Device& device, std::string_view raygen, std::string_view miss, std::string_view any_hit,
+                         const SpecialisationConstants& constants)
+    : device_(&device) {
+  const DeviceInfo& limits = device.info();
+  if (!limits.ray_tracing) fail_device("{}: '{}' has no ray-tracing pipeline (VK_KHR_ray_tracing_pipeline)", raygen, limits.name);
+  const Specialisation specialisation(constants);
+  const ShaderModule modules[] = {{device, raygen}, {device, miss}, {device, any_hit}};
+  const VkPipelineShaderStageCreateInfo stages[] = {modules[0].stage(VK_SHADER_STAGE_RAYGEN_BIT_KHR, &specialisation.info),
+                                                    modules[1].stage(VK_SHADER_STAGE_MISS_BIT_KHR, nullptr),
+                                                    modules[2].stage(VK_SHADER_STAGE_ANY_HIT_BIT_KHR, nullptr)};
+  std::array<VkRayTracingShaderGroupCreateInfoKHR, 3> groups;
+  for (uint32_t i = 0; i < 3; ++i) {
+    groups[i] = {VK_STRUCTURE_TYPE_RAY_TRACING_SHADER_GROUP_CREATE_INFO_KHR};
+    groups[i].type = VK_RAY_TRACING_SHADER_GROUP_TYPE_GENERAL_KHR;
+    groups[i].generalShader = i;
+    groups[i].closestHitShader = groups[i].anyHitShader = groups[i].intersectionShader = VK_SHADER_UNUSED_KHR;
+  }
+  groups[2].type = VK_RAY_TRACING_SHADER_GROUP_TYPE_TRIANGLES_HIT_GROUP_KHR;
+  groups[2].generalShader = VK_SHADER_UNUSED_KHR;
+  groups[2].anyHitShader = 2;
+
+  VkRayTracingPipelineCreateInfoKHR info = {VK_STRUCTURE_TYPE_RAY_TRACING_PIPELINE_CREATE_INFO_KHR};
+  info.stageCount = 3;
+  info.pStages = stages;
+  info.groupCount = 3;
+  info.pGroups = groups.data();
+  info.maxPipelineRayRecursionDepth = 1;
+  info.layout = device.pipeline_layout();
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  const auto& functions = device.ray_tracing();
+  vk_check(functions.create_pipelines(device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+           fmt::format("vkCreateRayTracingPipelinesKHR({})", raygen));
+  device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), std::string(raygen));
+  pipeline_ = {device, pipeline, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR};
+
+  // One record per region, each region at the base alignment.
+  const uint32_t handle = limits.shader_group_handle_size;
+  const uint32_t region = align_up(align_up(handle, limits.shader_group_handle_alignment), limits.shader_group_base_alignment);
+  std::vector<std::byte> handles(size_t{3} * handle);
+  vk_check(functions.group_handles(device.handle(), pipeline, 0, 3, handles.size(), handles.data()), "vkGetRayTracingShaderGroupHandlesKHR");
+  table_ = Buffer(device, std::string(raygen) + " table", size_t{region} * 4, BufferMemory::upload,
+                  VK_BUFFER_USAGE_SHADER_BINDING_TABLE_BIT_KHR);
+  const uint64_t base = (table_.address() + limits.shader_group_base_alignment - 1) / limits.shader_group_base_alignment *
+                        limits.shader_group_base_alignment;
+  const size_t offset = base - table_.address();
+  for (size_t i = 0; i < 3; ++i) std::memcpy(table_.mapped() + offset + i * region, handles.data() + i * handle, handle);
+  table_.flush();
+  raygen_ = {base, region, region};
+  miss_ = {base + region, region, region};
+  hit_ = {base + 2 * uint64_t{region}, region, region};
+}
+
+void RayPipeline::trace(VkCommandBuffer commands, uint32_t width, uint32_t height) const {
+  device_->ray_tracing().cmd_trace(commands, &raygen_, &miss_, &hit_, &callable_, width, height, 1);
+}
+
+}  // namespace gnomon

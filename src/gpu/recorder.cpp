@@ -1,0 +1,285 @@
+// Passes, barriers, timestamps.
+#include "gpu/recorder.h"
+
+#include <chrono>
+
+#include "base/error.h"
+
+namespace gnomon {
+namespace {
+
+double now_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+constexpr uint32_t k_max_indirect_draws = 4096;
+
+VkImageMemoryBarrier2 image_barrier(const Image& image, const Transition& transition) {
+  VkImageMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = transition.from_stages;
+  barrier.srcAccessMask = transition.from_access;
+  barrier.dstStageMask = transition.to_stages;
+  barrier.dstAccessMask = transition.to_access;
+  barrier.oldLayout = transition.from_layout;
+  barrier.newLayout = transition.to_layout;
+  barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  barrier.image = image.handle();
+  barrier.subresourceRange = {image.aspect(), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+  return barrier;
+}
+
+void full_barrier(VkCommandBuffer commands) {
+  VkMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+  VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &barrier;
+  vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+}  // namespace
+
+std::string_view stage_name(PassStage stage) {
+  switch (stage) {
+    case PassStage::surface: return "surface";
+    case PassStage::build: return "build";
+    case PassStage::resolve: return "resolve";
+    case PassStage::shade: return "shade";
+    case PassStage::other: return "other";
+  }
+  return "other";
+}
+
+Recorder::Recorder(Device& device, TimingMode mode, bool isolate) : device_(device), mode_(mode), isolate_(isolate) {
+  VkCommandPoolCreateInfo pool = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+  pool.queueFamilyIndex = device.queue_family();
+  vk_check(vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_), "vkCreateCommandPool");
+  VkQueryPoolCreateInfo queries = {VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+  queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
+  queries.queryCount = 2 * k_max_passes;
+  vk_check(vkCreateQueryPool(device.handle(), &queries, nullptr, &timestamps_), "vkCreateQueryPool");
+  if (device.info().pipeline_statistics) {
+    queries.queryType = VK_QUERY_TYPE_PIPELINE_STATISTICS;
+    queries.queryCount = k_max_passes;
+    queries.pipelineStatistics = VK_QUERY_PIPELINE_STATISTIC_INPUT_ASSEMBLY_PRIMITIVES_BIT;
+    vk_check(vkCreateQueryPool(device.handle(), &queries, nullptr, &statistics_), "vkCreateQueryPool");
+  }
+  draw_counts_ = Buffer(device, "draw counts", k_max_indirect_draws * sizeof(uint32_t), BufferMemory::readback);
+}
+
+Recorder::~Recorder() {
+  vkDeviceWaitIdle(device_.handle());
+  vkDestroyQueryPool(device_.handle(), timestamps_, nullptr);
+  vkDestroyQueryPool(device_.handle(), statistics_, nullptr);
+  vkDestroyCommandPool(device_.handle(), pool_, nullptr);
+}
+
+void Recorder::begin_commands() {
+  if (!commands_) {
+    VkCommandBufferAllocateInfo allocate = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    allocate.commandPool = pool_;
+    allocate.commandBufferCount = 1;
+    vk_check(vkAllocateCommandBuffers(device_.handle(), &allocate, &commands_), "vkAllocateCommandBuffers");
+  }
+  vk_check(vkResetCommandPool(device_.handle(), pool_, 0), "vkResetCommandPool");
+  VkCommandBufferBeginInfo begin = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  vk_check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
+}
+
+void Recorder::begin() {
+  passes_.clear();
+  count_ranges_.clear();
+  has_statistics_.clear();
+  draw_count_words_ = 0;
+  wall_ms_ = record_ms_ = 0.0;
+  record_start_ = now_ms();
+  begin_commands();
+  vkCmdResetQueryPool(commands_, timestamps_, 0, 2 * k_max_passes);
+  if (statistics_) vkCmdResetQueryPool(commands_, statistics_, 0, k_max_passes);
+  // What an earlier submission did (other recorders, uploads) was waited for; its writes are made visible here.
+  full_barrier(commands_);
+}
+
+uint64_t Recorder::end_and_submit() {
+  vk_check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
+  const uint64_t value = device_.submit(commands_);
+  record_ms_ += now_ms() - record_start_;
+  return value;
+}
+
+void Recorder::barriers(std::span<const ResourceUse> uses) {
+  if (mode_ == TimingMode::measure) full_barrier(commands_);
+  std::vector<VkImageMemoryBarrier2> images;
+  VkMemoryBarrier2 memory = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  for (const auto& use : uses) {
+    if (const auto* image = std::get_if<const Image*>(&use.resource)) {
+      const Transition transition = advance((*image)->state(), use.use);
+      if (transition.needed) images.push_back(image_barrier(**image, transition));
+    } else {
+      // Buffers have no layout: one global barrier covers all of them, and drivers do the same for both forms.
+      const Transition transition = advance(std::get<const Buffer*>(use.resource)->state(), use.use);
+      if (!transition.needed) continue;
+      memory.srcStageMask |= transition.from_stages;
+      memory.srcAccessMask |= transition.from_access;
+      memory.dstStageMask |= transition.to_stages;
+      memory.dstAccessMask |= transition.to_access;
+    }
+  }
+  VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = memory.dstStageMask ? 1 : 0;
+  dependency.pMemoryBarriers = &memory;
+  dependency.imageMemoryBarrierCount = static_cast<uint32_t>(images.size());
+  dependency.pImageMemoryBarriers = images.data();
+  if (dependency.memoryBarrierCount || dependency.imageMemoryBarrierCount) vkCmdPipelineBarrier2(commands_, &dependency);
+}
+
+void Recorder::pass(std::string name, PassStage stage, std::span<const ResourceUse> uses,
+                    const std::function<void(Commands&)>& record) {
+  const auto index = static_cast<uint32_t>(passes_.size());
+  if (index == k_max_passes) fail("pass '{}': a frame has at most {} passes", name, k_max_passes);
+  device_.set_last_pass(name);
+  device_.begin_label(commands_, name);
+  barriers(uses);
+  bool graphics = false;
+  for (const auto& use : uses) graphics |= use.use == Use::depth_write || use.use == Use::colour_write;
+  graphics = graphics && statistics_;
+
+  vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, timestamps_, 2 * index);
+  if (graphics) vkCmdBeginQuery(commands_, statistics_, index, 0);
+  Commands commands;
+  commands.commands_ = commands_;
+  commands.device_ = &device_;
+  record(commands);
+  if (graphics) vkCmdEndQuery(commands_, statistics_, index);
+  vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, timestamps_, 2 * index + 1);
+  copy_draw_counts(commands);
+  device_.end_label(commands_);
+
+  PassResult result;
+  result.name = std::move(name);
+  result.stage = stage;
+  result.draws = commands.draws_;
+  result.dispatches = commands.dispatches_;
+  has_statistics_.push_back(graphics);
+  if (isolate_) {
+    const double start = now_ms();
+    device_.wait(end_and_submit());
+    result.wall_ms = now_ms() - start;
+    wall_ms_ += result.wall_ms;
+    record_start_ = now_ms();
+    begin_commands();
+    full_barrier(commands_);
+  }
+  passes_.push_back(std::move(result));
+}
+
+void Recorder::copy_draw_counts(const Commands& commands) {
+  const uint32_t first = draw_count_words_;
+  for (const auto& read : commands.count_reads_) {
+    if (draw_count_words_ == k_max_indirect_draws) fail("a frame has at most {} indirect draws", k_max_indirect_draws);
+    const VkBufferCopy region = {read.offset, draw_count_words_ * sizeof(uint32_t), sizeof(uint32_t)};
+    vkCmdCopyBuffer(commands_, read.counts->handle(), draw_counts_.handle(), 1, &region);
+    ++draw_count_words_;
+  }
+  count_ranges_.emplace_back(first, draw_count_words_ - first);
+}
+
+FrameResult Recorder::finish() {
+  const double start = now_ms();
+  const double recorded = isolate_ ? 0.0 : start - record_start_;
+  const uint64_t value = end_and_submit();
+  device_.wait(value);
+  FrameResult result;
+  result.wall_ms = isolate_ ? wall_ms_ : now_ms() - start;
+  result.record_ms = isolate_ ? record_ms_ : record_ms_;
+  (void)recorded;
+  device_.check_validation();
+  collect(result);
+  return result;
+}
+
+void Recorder::collect(FrameResult& result) {
+  result.passes = std::move(passes_);
+  passes_.clear();
+  const auto count = static_cast<uint32_t>(result.passes.size());
+  if (count == 0) return;
+  std::vector<uint64_t> ticks(size_t{2} * count);
+  vk_check(vkGetQueryPoolResults(device_.handle(), timestamps_, 0, 2 * count, ticks.size() * 8, ticks.data(), 8,
+                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+           "vkGetQueryPoolResults(timestamps)");
+  draw_counts_.invalidate();
+  const auto counts = draw_counts_.mapped_as<const uint32_t>();
+  const double tick_ms = device_.info().timestamp_ms;
+  for (uint32_t i = 0; i < count; ++i) {
+    PassResult& pass = result.passes[i];
+    pass.gpu_ms = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]) * tick_ms;
+    for (uint32_t word = 0; word < count_ranges_[i].second; ++word) pass.draws += counts[count_ranges_[i].first + word];
+    if (has_statistics_[i]) {
+      vk_check(vkGetQueryPoolResults(device_.handle(), statistics_, i, 1, 8, &pass.triangles, 8,
+                                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+               "vkGetQueryPoolResults(statistics)");
+    }
+  }
+  result.gpu_ms = static_cast<double>(ticks[2 * count - 1] - ticks[0]) * tick_ms;
+}
+
+void run_once(Device& device, const std::function<void(VkCommandBuffer)>& record) {
+  struct Pool {
+    explicit Pool(Device& owner) : device(owner.handle()) {
+      VkCommandPoolCreateInfo info = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+      info.queueFamilyIndex = owner.queue_family();
+      vk_check(vkCreateCommandPool(device, &info, nullptr, &handle), "vkCreateCommandPool");
+    }
+    ~Pool() { vkDestroyCommandPool(device, handle, nullptr); }
+    VkDevice device;
+    VkCommandPool handle = VK_NULL_HANDLE;
+  };
+  const Pool pool(device);
+  VkCommandBufferAllocateInfo allocate = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+  allocate.commandPool = pool.handle;
+  allocate.commandBufferCount = 1;
+  VkCommandBuffer commands = VK_NULL_HANDLE;
+  vk_check(vkAllocateCommandBuffers(device.handle(), &allocate, &commands), "vkAllocateCommandBuffers");
+  VkCommandBufferBeginInfo begin = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
+  full_barrier(commands);
+  record(commands);
+  full_barrier(commands);
+  vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+  device.wait(device.submit(commands));
+  device.check_validation();
+}
+
+void upload(Device& device, const Buffer& target, std::span<const std::byte> bytes) {
+  GNOMON_ASSERT(bytes.size() <= target.bytes());
+  if (bytes.empty()) return;
+  // In pieces, so that a large scene does not need its size twice.
+  constexpr size_t k_piece = size_t{64} << 20;
+  const Buffer staging(device, "staging for " + target.name(), std::min(bytes.size(), k_piece), BufferMemory::upload);
+  for (size_t offset = 0; offset < bytes.size(); offset += k_piece) {
+    const size_t size = std::min(k_piece, bytes.size() - offset);
+    std::memcpy(staging.mapped(), bytes.data() + offset, size);
+    staging.flush();
+    run_once(device, [&](VkCommandBuffer commands) {
+      const VkBufferCopy region = {0, offset, size};
+      vkCmdCopyBuffer(commands, staging.handle(), target.handle(), 1, &region);
+    });
+  }
+}
+
+std::vector<std::byte> read_back(Device& device, const Buffer& source, size_t bytes) {
+  GNOMON_ASSERT(bytes <= source.bytes());
+  const Buffer staging(device, "readback of " + source.name(), bytes, BufferMemory::readback);
+  run_once(device, [&](VkCommandBuffer commands) {
+    const VkBufferCopy region = {0, 0, bytes};
+    vkCmdCopyBuffer(commands, source.handle(), staging.handle(), 1, &region);
+  });
+  staging.invalidate();
+  return {staging.mapped(), staging.mapped() + bytes};
+}
+
+}  // namespace gnomon

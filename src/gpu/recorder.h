@@ -1,0 +1,151 @@
+// Records a frame as a list of passes. A pass is one scope: it names what it reads and writes, and barriers, debug label,
+// timestamps and counters come from that. No graph: passes run in the order in which they are written.
+#pragma once
+
+#include <cstring>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/maths.h"
+#include "gpu/buffer.h"
+#include "gpu/image.h"
+#include "gpu/pipeline.h"
+
+namespace gnomon {
+
+// How passes are separated, and so what their times mean.
+enum class TimingMode {
+  play,     // tight barriers: passes may overlap, as in a game
+  measure,  // full barriers: a pass has the device to itself; its time is its own
+};
+
+// What a pass belongs to in a report: gpu_ms of a technique is the sum of build and resolve.
+enum class PassStage { surface, build, resolve, shade, other };
+std::string_view stage_name(PassStage stage);
+
+struct PassResult {
+  std::string name;
+  PassStage stage = PassStage::other;
+  double gpu_ms = 0.0;   // between the pass's timestamps
+  double wall_ms = 0.0;  // of its own submission; only when passes are submitted alone
+  uint32_t draws = 0, dispatches = 0;
+  uint64_t triangles = 0;  // assembled by the rasteriser
+};
+
+struct FrameResult {
+  std::vector<PassResult> passes;
+  double gpu_ms = 0.0;     // first to last timestamp
+  double wall_ms = 0.0;    // submission to completion
+  double record_ms = 0.0;  // CPU time to record and submit
+};
+
+// One resource and how a pass uses it.
+struct ResourceUse {
+  ResourceUse(const Buffer& buffer, Use how) : resource(&buffer), use(how) {}
+  ResourceUse(const Image& image, Use how) : resource(&image), use(how) {}
+  std::variant<const Buffer*, const Image*> resource;
+  Use use;
+};
+
+// A colour or depth attachment of a rendering scope.
+struct Attachment {
+  VkImageView view = VK_NULL_HANDLE;
+  VkClearValue clear = {};
+};
+
+// What may be recorded inside a pass.
+class Commands {
+ public:
+  VkCommandBuffer handle() const { return commands_; }
+  void bind(const Pipeline& pipeline);
+  // At most 128 bytes, read by every shader of the pipeline.
+  template <class T>
+  void push(const T& constants) {
+    push_bytes(std::as_bytes(std::span(&constants, 1)));
+  }
+  // Enough groups of `group` invocations to cover `count`.
+  void dispatch(uvec2 count, uvec2 group);
+  void dispatch_1d(uint32_t count, uint32_t group);
+  void begin_rendering(uvec2 size, std::span<const Attachment> colours, const Attachment& depth);
+  void end_rendering();
+  void cull_mode(VkCullModeFlags mode);
+  // Indexed, indirect, with the count at `count_offset` of `counts` (bytes); at most `max_draws`.
+  void draw_indirect(const Buffer& indices, const Buffer& draws, size_t draws_offset, const Buffer& counts, size_t count_offset,
+                     uint32_t max_draws);
+  void trace(const RayPipeline& pipeline, uvec2 size);
+  void copy(const Buffer& from, const Buffer& to, size_t bytes, size_t from_offset = 0, size_t to_offset = 0);
+
+ private:
+  friend class Recorder;
+  void push_bytes(std::span<const std::byte> bytes);
+
+  struct CountRead {
+    const Buffer* counts;
+    size_t offset;
+  };
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  Device* device_ = nullptr;
+  uint32_t draws_ = 0, dispatches_ = 0;
+  std::vector<CountRead> count_reads_;
+};
+
+class Recorder {
+ public:
+  static constexpr uint32_t k_max_passes = 256;
+
+  // isolate: submits each pass alone and times it against the wall clock too (software devices: design rule 5).
+  Recorder(Device& device, TimingMode mode, bool isolate);
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  void begin();
+  void pass(std::string name, PassStage stage, std::span<const ResourceUse> uses, const std::function<void(Commands&)>& record);
+  void pass(std::string name, PassStage stage, std::initializer_list<ResourceUse> uses, const std::function<void(Commands&)>& record) {
+    pass(std::move(name), stage, std::span(uses.begin(), uses.size()), record);
+  }
+  // Submits, waits, returns the times. Throws Error with validation's messages, or when the device is lost.
+  FrameResult finish();
+
+ private:
+  void begin_commands();
+  uint64_t end_and_submit();
+  void barriers(std::span<const ResourceUse> uses);
+  void copy_draw_counts(const Commands& commands);
+  void collect(FrameResult& result);
+
+  Device& device_;
+  TimingMode mode_;
+  bool isolate_;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  VkQueryPool timestamps_ = VK_NULL_HANDLE, statistics_ = VK_NULL_HANDLE;
+  Buffer draw_counts_;  // one word per indirect draw of the frame, copied back
+  uint32_t draw_count_words_ = 0;
+  std::vector<PassResult> passes_;
+  std::vector<std::pair<uint32_t, uint32_t>> count_ranges_;  // per pass: first word and count in draw_counts_
+  std::vector<bool> has_statistics_;
+  double wall_ms_ = 0.0, record_ms_ = 0.0;
+  double record_start_ = 0.0;
+};
+
+// A one-off submission outside any frame: uploads, builds, readback.
+void run_once(Device& device, const std::function<void(VkCommandBuffer)>& record);
+
+// Copies to a device buffer through a staging buffer, and waits.
+void upload(Device& device, const Buffer& target, std::span<const std::byte> bytes);
+// Copies from a device buffer, and waits.
+std::vector<std::byte> read_back(Device& device, const Buffer& source, size_t bytes);
+template <class T>
+std::vector<T> read_back_as(Device& device, const Buffer& source, size_t count) {
+  const auto bytes = read_back(device, source, count * sizeof(T));
+  std::vector<T> values(count);
+  std::memcpy(values.data(), bytes.data(), bytes.size());
+  return values;
+}
+
+}  // namespace gnomon
