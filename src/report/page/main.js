@@ -1,0 +1,30 @@
+// Puts the parts together and redraws what a choice changes.
+
+function renderGroup() {
+  const present = kindsOf(state.group);
+  if (!present.includes(state.kind)) state.kind = present[0] ?? "hard";
+  state.expanded.clear();
+  renderFacts();
+  renderKindSwitch((kind) => { state.kind = kind; renderKind(); renderGallery(); });
+  renderKind();
+  renderGallery();
+  renderCompare();
+}
+
+function renderKind() {
+  renderSummary();
+  renderTable();
+  renderCharts();
+}
+
+byId("main").hidden = false;
+fillSelect(byId("metric"), Object.entries(metrics).map(([value, metric]) => ({ label: metric.label, value })), state.metric);
+byId("metric").addEventListener("change", (event) => { state.metric = event.target.value; renderSummary(); renderCostChart(); });
+renderGroupSelect((group) => { state.group = group; renderGroup(); });
+buildCompare();
+renderGroup();
+
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", renderCharts);
+// Paper is white: charts are drawn again in the light colours for it.
+addEventListener("beforeprint", () => { document.documentElement.dataset.theme = "light"; renderCharts(); });
+addEventListener("afterprint", () => { delete document.documentElement.dataset.theme; renderCharts(); });

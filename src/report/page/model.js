@@ -1,0 +1,89 @@
+// The results as the page uses them: groups of rows, what is selected, and what follows from it.
+
+const data = JSON.parse(byId("gnomon-data").textContent);
+
+const kinds = {
+  hard: { label: "hard shadows", noun: "hard shadow" },
+  area: { label: "area light", noun: "area light" },
+};
+const stageNames = ["surface", "build", "resolve", "shade"];
+const stageHelp = {
+  surface: "camera culling and surface buffer",
+  build: "maps, blur, structures",
+  resolve: "filling the mask",
+  shade: "shading from the mask",
+};
+
+// A picture's name as people say it; keys that are not known yet show as they are.
+const pictureNames = {
+  "shaded": "shaded", "mask": "mask", "error.hard": "error, hard", "error.area": "error, area",
+  "reference.hard": "reference mask, hard", "reference.area": "reference mask, area", "reference_shaded": "reference, shaded",
+};
+
+function flattenPictures(images, prefix = "") {
+  const pictures = [];
+  for (const [key, value] of Object.entries(images ?? {})) {
+    const name = prefix + key;
+    if (Number.isInteger(value)) pictures.push({ key: name, label: pictureNames[name] ?? name.replaceAll(".", " "), index: value });
+    else if (value && typeof value === "object") pictures.push(...flattenPictures(value, name + "."));
+  }
+  return pictures;
+}
+
+function makeRow(raw, index) {
+  const available = raw.status === "ok";
+  const pictures = flattenPictures(raw.images);
+  return {
+    raw, index, available,
+    label: raw.label,
+    hard: (available && raw.visibility?.hard) || null,
+    area: (available && raw.visibility?.area) || null,
+    gpu: (available && raw.gpu_ms) || {},
+    passes: (available && raw.passes) || [],
+    memory: available ? raw.memory_bytes : null,
+    psnr: available ? raw.image?.psnr : null,
+    pictures,
+    own: pictures.filter((picture) => !picture.key.startsWith("reference")),
+    references: pictures.filter((picture) => picture.key.startsWith("reference")),
+  };
+}
+
+const groups = data.groups.map((group) => ({ title: group.title, rows: group.rows.map(makeRow) }));
+
+const metrics = {
+  mae: { label: "mean absolute error", axis: "mean absolute error", value: (v) => v?.mae, text: formatError },
+  rmse: { label: "RMS error", axis: "RMS error", value: (v) => v?.rmse, text: formatError },
+  false_shadow: { label: "false shadow, area", axis: "false shadow, % of receivers", value: (v) => scaled(v?.false_shadow?.area), text: (v) => v.toFixed(2) },
+  false_light: { label: "false light, area", axis: "false light, % of receivers", value: (v) => scaled(v?.false_light?.area), text: (v) => v.toFixed(2) },
+};
+const scaled = (share) => (isNumber(share) ? 100 * share : null);
+
+const state = {
+  group: groups[0],
+  kind: "hard",
+  metric: "mae",
+  sort: { key: "mae_hard", ascending: true },
+  hiddenStages: new Set(),
+  expanded: new Set(),
+};
+
+const kindsOf = (group) => Object.keys(kinds).filter((kind) => group.rows.some((row) => row[kind]));
+
+// What the rows of a group have in common; the first row speaks for all, by how groups are made.
+const sample = (group) => group.rows[0].raw;
+
+// Rows that no other row beats in both cost and error, from cheap to dear.
+function paretoFront(points) {
+  const front = [];
+  for (const point of [...points].sort((a, b) => a.x - b.x || a.y - b.y)) {
+    if (front.length === 0 || point.y < front[front.length - 1].y) front.push(point);
+  }
+  return front;
+}
+
+// Points of the cost chart: rows with a positive time (the axis is logarithmic) and the chosen error.
+function costPoints() {
+  return state.group.rows
+    .map((row) => ({ row, x: row.gpu.total, y: metrics[state.metric].value(row[state.kind]) }))
+    .filter((point) => isNumber(point.x) && point.x > 0 && isNumber(point.y));
+}
