@@ -3,14 +3,11 @@
 //   vec2 position = texel_position(transform_uv(row_u, row_v, interpolate_uv(uv0, uv1, uv2, u, v)), size);
 //   ivec2 low = texel_below(position);       // and low + (1,0), (0,1), (1,1), each through wrap_texel
 //   bool exists = base_alpha * bilinear_alpha(a00, a10, a01, a11, texel_weight(position)) >= alpha_cutoff;
-#ifdef __cplusplus
-#pragma once
-#include "base/glsl/shared.glsl"
-namespace gnomon {
-#else
 #ifndef GNOMON_ALPHA_GLSL
 #define GNOMON_ALPHA_GLSL
-#endif
+#include "base/glsl/shared.glsl"
+#ifdef __cplusplus
+namespace gnomon {
 #endif
 
 // As scene/scene.h's Wrap.
@@ -58,4 +55,6 @@ inline_function float bilinear_alpha(float a00, float a10, float a01, float a11,
 
 #ifdef __cplusplus
 }  // namespace gnomon
+#endif
+
 #endif

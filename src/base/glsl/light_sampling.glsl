@@ -11,14 +11,11 @@
 // compares a receiver with other surfaces (all of them: no shadow map knows the receiver's plane) would be "wrong" by up to a
 // half along each terminator, however well it finds occluders. With V so defined, V times the unshadowed light is the
 // exact product for an emitter of uniform irradiance over its visible part.
-#ifdef __cplusplus
-#pragma once
-#include "base/glsl/sampling.glsl"
-namespace gnomon {
-#else
 #ifndef GNOMON_LIGHT_SAMPLING_GLSL
 #define GNOMON_LIGHT_SAMPLING_GLSL
-#endif
+#include "base/glsl/sampling.glsl"
+#ifdef __cplusplus
+namespace gnomon {
 #endif
 
 // As scene/scene.h's LightKind.
@@ -91,4 +88,6 @@ inline_function bool above_horizon(LightRay ray, vec3 geometric_normal) { return
 
 #ifdef __cplusplus
 }  // namespace gnomon
+#endif
+
 #endif

@@ -1,13 +1,10 @@
 // Low-discrepancy sequence, hashes, directions toward a light and robust ray origins: the same text for the ray-tracing
 // pipeline, ray-traced techniques and Embree (include base/glsl/shared.glsl first).
-#ifdef __cplusplus
-#pragma once
-#include "base/glsl/shared.glsl"
-namespace gnomon {
-#else
 #ifndef GNOMON_SAMPLING_GLSL
 #define GNOMON_SAMPLING_GLSL
-#endif
+#include "base/glsl/shared.glsl"
+#ifdef __cplusplus
+namespace gnomon {
 #endif
 
 // PCG output permutation as a hash (Jarzynski and Olano 2020, JCGT 9(3)).
@@ -59,7 +56,7 @@ inline_function vec2 concentric_disc(vec2 square) {
 //   (measured: 10 for the inverse projection, the rest for the transforms); 2^-19 has a margin of two;
 // - the rasteriser moves vertices to a grid of 1/256 pixel, which tilts the depth of a surface seen at a grazing angle: up to
 //   1/512 pixel sideways, 3.8e-6 of the eye's distance at 600 lines and 60 degrees; 2^-17 = 7.6e-6 covers 300 lines;
-// - the distance of the ray's start from the plane of a triangle that is `plane_extent` metres large (reference/plane_extent.h),
+// - the distance of the ray's start from the plane of a triangle that is `plane_extent` metres large (scene/plane_extent.h),
 //   computed in floats by the tracer: 2^-23 of it (measured: 2^-24 suffices).
 // At 10 m, in a scene of metre-sized triangles, that is 0.1 mm: a two-hundredth of a pixel.
 inline_function vec3 ray_origin(vec3 position_ws, vec3 normal_ws, float eye_distance, float plane_extent) {
@@ -73,4 +70,6 @@ inline_function vec3 ray_origin(vec3 position_ws, vec3 normal_ws, float eye_dist
 
 #ifdef __cplusplus
 }  // namespace gnomon
+#endif
+
 #endif

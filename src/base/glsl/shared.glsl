@@ -1,8 +1,9 @@
 // Lets one text be GLSL and C++: shared structs and functions are written once. Shared text uses the vector types, uint, float,
 // `inline_function` before functions, `shared_constant` before constants, `exact_float` before floats that must round the same
 // way in both (no fused multiply-add), and the functions that GLSL and GLM have in common.
+#ifndef GNOMON_SHARED_GLSL
+#define GNOMON_SHARED_GLSL
 #ifdef __cplusplus
-#pragma once
 #include "base/maths.h"
 #define inline_function inline
 #define shared_constant inline constexpr
@@ -31,8 +32,6 @@ using glm::uintBitsToFloat;
 using glm::uvec4;
 }  // namespace gnomon
 #else
-#ifndef GNOMON_SHARED_GLSL
-#define GNOMON_SHARED_GLSL
 #define inline_function
 #define shared_constant const
 #define exact_float precise

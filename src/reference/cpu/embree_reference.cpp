@@ -13,8 +13,8 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "reference/cpu/acceleration.h"
-#include "reference/light_shape.h"
-#include "reference/plane_extent.h"
+#include "scene/light_shape.h"
+#include "scene/plane_extent.h"
 
 namespace gnomon {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/surface_point.h"
+#include "scene/surface_point.h"
 #include "scene/scene.h"
 
 namespace gnomon {

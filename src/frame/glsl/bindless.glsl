@@ -1,0 +1,19 @@
+// The bindless set (gpu/bindless.h): images and samplers by index. The same images are declared once per shape.
+#ifndef GNOMON_BINDLESS_GLSL
+#define GNOMON_BINDLESS_GLSL
+#extension GL_EXT_nonuniform_qualifier : require
+
+layout(set = 0, binding = 0) uniform texture2D textures_2d[];
+layout(set = 0, binding = 0) uniform texture2DArray textures_2d_array[];
+layout(set = 0, binding = 0) uniform texture2DMS textures_2d_ms[];
+layout(set = 0, binding = 1) uniform sampler samplers[];
+layout(set = 0, binding = 1) uniform samplerShadow shadow_samplers[];
+
+// gpu/bindless.h: SamplerKind
+const uint k_sampler_nearest_clamp = 0u;
+const uint k_sampler_linear_clamp = 1u;
+const uint k_sampler_compare_linear = 2u;
+const uint k_sampler_compare_nearest = 3u;
+const uint k_sampler_material_first = 4u;
+
+#endif
