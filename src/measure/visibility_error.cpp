@@ -46,7 +46,8 @@ void store(Image8& image, int x, int y, const vec3& colour) {
 
 // Rec. 709 luma in display values.
 float luma(const uint8_t* texel) {
-  return (0.2126f * static_cast<float>(texel[0]) + 0.7152f * static_cast<float>(texel[1]) + 0.0722f * static_cast<float>(texel[2])) /
+  return (0.2126f * static_cast<float>(texel[0]) + 0.7152f * static_cast<float>(texel[1]) +
+          0.0722f * static_cast<float>(texel[2])) /
          255.0f;
 }
 
@@ -57,7 +58,9 @@ const vec3 k_false_light_colour(0.15f, 0.55f, 0.98f);
 const vec3 k_no_receiver_colour(0.27f, 0.22f, 0.40f);
 
 // A difference of 2 % must be seen and one of 50 % still be told from one of 100 %.
-float error_strength(float difference) { return difference > k_threshold ? std::min(1.0f, 0.15f + 0.85f * std::sqrt(difference)) : 0.0f; }
+float error_strength(float difference) {
+  return difference > k_threshold ? std::min(1.0f, 0.15f + 0.85f * std::sqrt(difference)) : 0.0f;
+}
 
 }  // namespace
 
@@ -70,7 +73,8 @@ nlohmann::json VisibilityError::to_json() const {
           {"receivers", receivers}};
 }
 
-VisibilityError visibility_error(std::span<const float> mask, std::span<const float> reference, std::span<const uint8_t> receiver) {
+VisibilityError visibility_error(std::span<const float> mask, std::span<const float> reference,
+                                 std::span<const uint8_t> receiver) {
   GNOMON_ASSERT(mask.size() == reference.size() && mask.size() == receiver.size());
   check_range("visibility mask", mask);
   check_range("reference", reference);
@@ -87,7 +91,8 @@ VisibilityError visibility_error(std::span<const float> mask, std::span<const fl
     if (difference < -k_threshold) false_shadow.add(-difference);
     if (difference > k_threshold) false_light.add(difference);
   }
-  if (error.receivers == 0) fail("no sample of the picture shows a surface that faces the light: there is no visibility to compare");
+  if (error.receivers == 0)
+    fail("no sample of the picture shows a surface that faces the light: there is no visibility to compare");
   const auto n = static_cast<double>(error.receivers);
   error.mae = sum_of_absolutes / n;
   error.rmse = std::sqrt(sum_of_squares / n);
@@ -97,8 +102,8 @@ VisibilityError visibility_error(std::span<const float> mask, std::span<const fl
   return error;
 }
 
-Image8 signed_error_map(std::span<const float> mask, std::span<const float> reference, std::span<const uint8_t> receiver, int samples,
-                        const Image8& shaded) {
+Image8 signed_error_map(std::span<const float> mask, std::span<const float> reference, std::span<const uint8_t> receiver,
+                        int samples, const Image8& shaded) {
   GNOMON_ASSERT(samples > 0 && mask.size() == static_cast<size_t>(shaded.width) * shaded.height * samples);
   GNOMON_ASSERT(mask.size() == reference.size() && mask.size() == receiver.size());
   Image8 image(shaded.width, shaded.height);
@@ -114,7 +119,8 @@ Image8 signed_error_map(std::span<const float> mask, std::span<const float> refe
       }
       const float total = (too_dark + too_bright) / static_cast<float>(samples);
       const vec3 grey(0.06f + 0.5f * luma(shaded.at(x, y)));
-      const vec3 hue = total > 0.0f ? glm::mix(k_false_light_colour, k_false_shadow_colour, too_dark / (too_dark + too_bright)) : grey;
+      const vec3 hue =
+          total > 0.0f ? glm::mix(k_false_light_colour, k_false_shadow_colour, too_dark / (too_dark + too_bright)) : grey;
       store(image, x, y, glm::mix(grey, hue, error_strength(total)));
     }
   }
@@ -128,7 +134,8 @@ Image8 mask_picture(std::span<const float> mask, std::span<const uint8_t> receiv
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       vec3 sum(0.0f);
-      for (const size_t end = i + static_cast<size_t>(samples); i < end; ++i) sum += receiver[i] ? vec3(mask[i]) : k_no_receiver_colour;
+      for (const size_t end = i + static_cast<size_t>(samples); i < end; ++i)
+        sum += receiver[i] ? vec3(mask[i]) : k_no_receiver_colour;
       store(image, x, y, sum / static_cast<float>(samples));
     }
   }
@@ -139,7 +146,8 @@ nlohmann::json ImageError::to_json() const { return {{"rmse", rmse}, {"psnr", ps
 
 ImageError image_error(const Image8& image, const Image8& reference) {
   if (image.width != reference.width || image.height != reference.height || image.rgba.empty()) {
-    fail("pictures of {} x {} and {} x {} pixels cannot be compared", image.width, image.height, reference.width, reference.height);
+    fail("pictures of {} x {} and {} x {} pixels cannot be compared", image.width, image.height, reference.width,
+         reference.height);
   }
   uint64_t sum = 0;  // exact: 3 * 255^2 * 2^28 pixels fit
   for (size_t i = 0; i < image.rgba.size(); ++i) {

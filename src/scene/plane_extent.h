@@ -12,7 +12,8 @@ namespace gnomon {
 inline float plane_extent(const MeshPart& part) {
   float largest = 0.0f;
   for (size_t i = 0; i + 2 < part.indices.size(); i += 3) {
-    const vec3 a = part.positions[part.indices[i]], b = part.positions[part.indices[i + 1]], c = part.positions[part.indices[i + 2]];
+    const vec3 a = part.positions[part.indices[i]], b = part.positions[part.indices[i + 1]],
+               c = part.positions[part.indices[i + 2]];
     const vec3 normal = glm::cross(b - a, c - a);
     const float length = glm::length(normal);
     if (!(length > 0.0f)) continue;

@@ -105,7 +105,8 @@ void Acceleration::add_instance(RTCScene mesh, const mat4& world_from_object) {
 
 void Acceleration::check() const {
   const RTCError error = rtcGetDeviceError(device_.get());
-  if (error == RTC_ERROR_OUT_OF_MEMORY) fail("the CPU reference: not enough memory for the acceleration structure of {}", scene_.name);
+  if (error == RTC_ERROR_OUT_OF_MEMORY)
+    fail("the CPU reference: not enough memory for the acceleration structure of {}", scene_.name);
   if (error != RTC_ERROR_NONE) fail("the CPU reference: Embree error {} on scene {}", static_cast<int>(error), scene_.name);
 }
 

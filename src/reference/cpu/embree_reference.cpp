@@ -83,11 +83,13 @@ uint32_t add_rays(const Job& job, size_t index, const SurfacePoint& point, RayPa
 
 void check_point(const SurfacePoint& point) {
   const vec3 sum = point.position_ws + point.geometric_normal_ws;
-  if (!std::isfinite(sum.x + sum.y + sum.z)) fail("the surface point of pixel {} is not a finite position and normal", point.pixel);
+  if (!std::isfinite(sum.x + sum.y + sum.z))
+    fail("the surface point of pixel {} is not a finite position and normal", point.pixel);
 }
 
 // Fills the entries [begin, end) of the result and the squared standard error of each.
-void trace_block(const Job& job, RTCScene scene, size_t begin, size_t end, ReferenceResult& result, std::vector<float>& variance) {
+void trace_block(const Job& job, RTCScene scene, size_t begin, size_t end, ReferenceResult& result,
+                 std::vector<float>& variance) {
   uint32_t arrived[k_block] = {}, counted[k_block] = {};
   RayPacket packet(scene, arrived);
   for (size_t i = begin; i < end; ++i) {
@@ -112,7 +114,8 @@ void trace_block(const Job& job, RTCScene scene, size_t begin, size_t end, Refer
 
 // 95 % half-width of the mean over receivers. Pixels are scrambled independently; samples of one pixel share their sequence, so
 // their errors may all point one way: standard errors add within a pixel, variances between pixels.
-double mean_confidence(std::span<const SurfacePoint> points, std::span<const float> variance, std::span<const uint8_t> receiver) {
+double mean_confidence(std::span<const SurfacePoint> points, std::span<const float> variance,
+                       std::span<const uint8_t> receiver) {
   double sum_of_variances = 0.0, pixel_deviation = 0.0;
   size_t receivers = 0;
   for (size_t i = 0; i < points.size(); ++i) {
