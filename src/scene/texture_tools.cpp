@@ -1,0 +1,61 @@
+// Pictures made from pictures, as materials of files need them.
+#include "scene/texture_tools.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/maths.h"
+
+namespace gnomon {
+
+bool has_transparency(const Image8& image) {
+  for (size_t i = 3; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i] < 255) return true;
+  }
+  return false;
+}
+
+bool is_grey(const Image8& image) {
+  for (size_t i = 0; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i] != image.rgba[i + 1] || image.rgba[i] != image.rgba[i + 2]) return false;
+  }
+  return true;
+}
+
+void set_alpha(Image8& colour, const Image8& mask) {
+  const bool own_alpha = has_transparency(mask);
+  const auto value = [&](int x, int y) {
+    const uint8_t* p = mask.at(std::clamp(x, 0, mask.width - 1), std::clamp(y, 0, mask.height - 1));
+    return own_alpha ? static_cast<float>(p[3]) : static_cast<float>(p[0] + p[1] + p[2]) / 3.0f;
+  };
+  for (int y = 0; y < colour.height; ++y) {
+    const float my = (static_cast<float>(y) + 0.5f) * static_cast<float>(mask.height) / static_cast<float>(colour.height) - 0.5f;
+    const int y0 = static_cast<int>(std::floor(my));
+    for (int x = 0; x < colour.width; ++x) {
+      const float mx = (static_cast<float>(x) + 0.5f) * static_cast<float>(mask.width) / static_cast<float>(colour.width) - 0.5f;
+      const int x0 = static_cast<int>(std::floor(mx));
+      const float fx = mx - static_cast<float>(x0), fy = my - static_cast<float>(y0);
+      const float top = glm::mix(value(x0, y0), value(x0 + 1, y0), fx), bottom = glm::mix(value(x0, y0 + 1), value(x0 + 1, y0 + 1), fx);
+      colour.at(x, y)[3] = static_cast<uint8_t>(std::lround(glm::mix(top, bottom, fy)));
+    }
+  }
+}
+
+Image8 normal_map_from_heights(const ImageF& heights, float slope) {
+  const int w = heights.width, h = heights.height;
+  const auto height = [&](int x, int y) { return *heights.at((x + w) % w, (y + h) % h); };
+  const auto encode = [](float n) { return static_cast<uint8_t>(std::lround((n * 0.5f + 0.5f) * 255.0f)); };
+  Image8 result(w, h);
+  for (int y = 0; y < h; ++y) {
+    for (int x = 0; x < w; ++x) {
+      const float along_x = 0.5f * slope * (height(x + 1, y) - height(x - 1, y));
+      const float upwards = 0.5f * slope * (height(x, y - 1) - height(x, y + 1));
+      const vec3 n = glm::normalize(vec3(-along_x, -upwards, 1.0f));
+      uint8_t* out = result.at(x, y);
+      out[0] = encode(n.x), out[1] = encode(n.y), out[2] = encode(n.z), out[3] = 255;
+    }
+  }
+  return result;
+}
+
+}  // namespace gnomon
