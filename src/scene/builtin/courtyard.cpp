@@ -1,42 +1,85 @@
-// courtyard: rough first version.
+// courtyard: the default scene. A Mediterranean court in the late afternoon with everything that strains a shadow technique:
+// thin bars, alpha-tested iron and leaves, contact at all angles, a hanging lantern, a tower whose shadow crosses the court.
 #include "scene/builtin/builtin.h"
+#include "scene/builtin/courtyard_parts.h"
 #include "scene/builtin/noise.h"
-#include "scene/builtin/shapes.h"
+#include "scene/builtin/procedural_textures.h"
 
 namespace gnomon {
+namespace {
+
+Material textured(Scene& scene, const std::string& name, SurfaceTexture texture) {
+  Material material;
+  material.name = name;
+  material.base_colour_texture = add_texture(scene, name, std::move(texture.colour), true);
+  material.normal_texture = add_texture(scene, name + "_normal", std::move(texture.normal), false);
+  return material;
+}
+
+Material cut_out(Scene& scene, const std::string& name, Image8 image, Wrap wrap_u) {
+  Material material;
+  material.name = name;
+  material.base_colour_texture = add_texture(scene, name, std::move(image), true, Wrap::clamp);
+  scene.textures.back().wrap_u = wrap_u;
+  material.masked = true, material.double_sided = true;
+  return material;
+}
+
+Material plain(const std::string& name, const vec3& colour) {
+  Material material;
+  material.name = name, material.base_colour = vec4(colour, 1.0f);
+  return material;
+}
+
+int shiny(Scene& scene, Material material, float specular, float shininess) {
+  material.specular = vec3(specular), material.shininess = shininess;
+  return add_material(scene, material);
+}
+
+}  // namespace
+
+CourtyardMaterials add_courtyard_materials(Scene& scene) {
+  CourtyardMaterials m;
+  m.paving = shiny(scene, textured(scene, "paving", paving_texture(512)), 0.06f, 24.0f);
+  m.masonry = add_material(scene, textured(scene, "masonry", masonry_texture(512)));
+  m.plaster = add_material(scene, textured(scene, "plaster", plaster_texture(512)));
+  m.limestone = add_material(scene, textured(scene, "limestone", limestone_texture(256)));
+  Material tiles = textured(scene, "terracotta", terracotta_texture(256));
+  tiles.double_sided = true;  // the roof's tiles are sheets
+  m.terracotta = add_material(scene, tiles);
+  m.wood = add_material(scene, textured(scene, "wood", wood_texture(256)));
+  m.bark = add_material(scene, textured(scene, "bark", bark_texture(256)));
+  m.iron = shiny(scene, plain("iron", {0.03f, 0.027f, 0.025f}), 0.25f, 40.0f);
+  m.iron_panel = shiny(scene, cut_out(scene, "iron_panel", iron_panel_texture(512), Wrap::repeat), 0.2f, 40.0f);
+  const TwigStyle olive{8, 0.44f, 0.085f, 0.85f, {0.52f, 0.56f, 0.40f}, {0.09f, 0.08f, 0.07f}, 21};
+  m.olive = add_material(scene, cut_out(scene, "olive", twig_texture(256, olive), Wrap::clamp));
+  const TwigStyle cypress{14, 0.40f, 0.055f, 0.45f, {0.25f, 0.35f, 0.19f}, {0.07f, 0.08f, 0.05f}, 22};
+  m.cypress = add_material(scene, cut_out(scene, "cypress", twig_texture(256, cypress), Wrap::clamp));
+  const TwigStyle shrub{5, 0.42f, 0.17f, 0.95f, {0.33f, 0.46f, 0.20f}, {0.08f, 0.09f, 0.05f}, 23};
+  m.shrub = add_material(scene, cut_out(scene, "shrub", twig_texture(256, shrub), Wrap::clamp));
+  Material glass = plain("lantern_glass", {0.8f, 0.6f, 0.3f});
+  glass.emissive = vec3(0.9f, 0.5f, 0.16f);
+  m.glass = add_material(scene, glass);
+  return m;
+}
 
 Scene make_courtyard(const BuiltinOptions&) {
   Scene scene;
   scene.name = "courtyard";
-  Material stone;
-  stone.name = "stone", stone.base_colour = vec4(0.6f, 0.5f, 0.38f, 1.0f);
-  const int m = add_material(scene, stone);
-  MeshPart ground = part_of(m);
-  add_surface(ground, {40, 40, false, false, {12, 12}}, [](double u, double v) {
-    const glm::dvec3 p(24 * (u - 0.5), 0, 24 * (0.5 - v));
-    return glm::dvec3(p.x, 0.06 * (noise(p * 0.5, 1) - 0.5), p.z);
-  });
-  add_object(scene, "ground", add_mesh(scene, "ground", {ground}));
-  MeshPart column = part_of(m);
-  const std::vector<vec2> profile = {{0.3f, -0.1f}, {0.3f, 0.1f}, {0.22f, 0.15f}, {0.18f, 2.6f}, {0.28f, 2.7f}, {0.28f, 2.85f}, {0, 2.85f}};
-  add_lathe(column, profile, 24, {2, 2});
-  const int column_mesh = add_mesh(scene, "column", {column});
-  for (int i = 0; i < 6; ++i) add_object(scene, "column", column_mesh, translation({-6.0f + 2.2f * static_cast<float>(i), 0, -5}));
-  MeshPart beam = part_of(m);
-  add_box(beam, {-6.5f, 2.85f, -5.3f}, {5.5f, 3.6f, -4.7f}, 0.5f);
-  add_object(scene, "beam", add_mesh(scene, "beam", {beam}));
-  MeshPart wall = part_of(m);
-  add_box(wall, {7, -0.2f, -6}, {7.5f, 4, 8}, 0.5f);
-  add_object(scene, "wall", add_mesh(scene, "wall", {wall}));
-  MeshPart ball = part_of(m);
-  add_sphere(ball, {0.5f, 0.45f, 1.5f}, 0.45f, 32, 16, {2, 1});
-  add_object(scene, "ball", add_mesh(scene, "ball", {ball}));
+  const CourtyardMaterials materials = add_courtyard_materials(scene);
+  for (const auto add : {add_paving, add_colonnade, add_gate_wall, add_stairs, add_tower, add_garden_wall, add_fence, add_fountain, add_ball,
+                         add_crate_and_plank, add_lantern, add_amphora, add_olive_tree, add_cypresses, add_potted_shrubs}) {
+    add(scene, materials);
+  }
   Light sun;
-  sun.name = "sun", sun.direction = glm::normalize(vec3(0.80f, -0.50f, 0.36f)), sun.colour = vec3(1.0f, 0.86f, 0.68f), sun.intensity = 3.0f;
+  sun.name = "sun";
+  sun.direction = glm::normalize(vec3(0.62f, -0.48f, 0.62f));
+  sun.colour = vec3(1.0f, 0.84f, 0.62f);
+  sun.intensity = 3.0f;
   sun.angular_diameter = static_cast<float>(radians_of(0.533));
   scene.lights.push_back(sun);
-  scene.cameras.push_back(look_at("default", {-6.2f, 1.65f, 7.5f}, {0.8f, 1.3f, -1.5f}, 55.0));
-  scene.cameras.push_back(look_at("detail", {-3.5f, 1.0f, 4.0f}, {0.5f, 0.4f, 1.5f}, 40.0));
+  scene.cameras.push_back(look_at("default", {-4.6f, 1.65f, 8.8f}, {0.9f, 1.75f, -2.0f}, 50.0));
+  scene.cameras.push_back(look_at("detail", {3.2f, 1.15f, 4.5f}, {5.75f, 0.5f, 1.3f}, 45.0));
   return scene;
 }
 

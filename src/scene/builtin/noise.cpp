@@ -74,6 +74,8 @@ uint32_t hash_cell(int x, int y, int z, uint32_t seed) {
                    static_cast<uint32_t>(z));
 }
 
+float unit_random(int x, int y, uint32_t seed) { return unit_float(hash_cell(x, y, 0, seed)); }
+
 float Random::unit() {
   state_ += 0x9e3779b9u;
   return unit_float(hash_uint(state_));
@@ -86,14 +88,14 @@ vec3 Random::on_sphere() {
   return {r * around.x, y, r * around.y};
 }
 
-float tiling_noise(float x, float y, int period, uint32_t seed) {
+float tiling_noise(float x, float y, ivec2 period, uint32_t seed) {
   const float floor_x = std::floor(x), floor_y = std::floor(y);
-  const auto wrapped = [period](int cell) { return ((cell % period) + period) % period; };
-  const int x0 = wrapped(static_cast<int>(floor_x)), y0 = wrapped(static_cast<int>(floor_y));
-  const int x1 = wrapped(x0 + 1), y1 = wrapped(y0 + 1);
+  const auto wrapped = [](int cell, int count) { return ((cell % count) + count) % count; };
+  const int x0 = wrapped(static_cast<int>(floor_x), period.x), y0 = wrapped(static_cast<int>(floor_y), period.y);
+  const int x1 = wrapped(x0 + 1, period.x), y1 = wrapped(y0 + 1, period.y);
   const float tx = fade(x - floor_x), ty = fade(y - floor_y);
-  const auto value = [seed](int cx, int cy) { return unit_float(hash_cell(cx, cy, 0, seed)); };
-  return lerp(lerp(value(x0, y0), value(x1, y0), tx), lerp(value(x0, y1), value(x1, y1), tx), ty);
+  return lerp(lerp(unit_random(x0, y0, seed), unit_random(x1, y0, seed), tx),
+              lerp(unit_random(x0, y1, seed), unit_random(x1, y1, seed), tx), ty);
 }
 
 double noise(const glm::dvec3& point, uint32_t seed) {
@@ -108,11 +110,11 @@ double noise(const glm::dvec3& point, uint32_t seed) {
   return lerp(plane(z), plane(z + 1), tz);
 }
 
-float tiling_fractal(float u, float v, int period, int octaves, uint32_t seed) {
+float tiling_fractal(float u, float v, ivec2 period, int octaves, uint32_t seed) {
   float sum = 0.0f, weight = 0.0f, amplitude = 1.0f;
   for (int i = 0; i < octaves; ++i, amplitude *= 0.5f, period *= 2) {
-    const float scale = static_cast<float>(period);
-    sum += amplitude * tiling_noise(u * scale, v * scale, period, seed + static_cast<uint32_t>(i));
+    const vec2 at = vec2(u, v) * vec2(period);
+    sum += amplitude * tiling_noise(at.x, at.y, period, seed + static_cast<uint32_t>(i));
     weight += amplitude;
   }
   return sum / weight;

@@ -20,6 +20,7 @@ mat4 rotation(const vec3& axis, double radians);
 mat4 translation(const vec3& offset);
 
 uint32_t hash_cell(int x, int y, int z, uint32_t seed);
+float unit_random(int x, int y, uint32_t seed);  // in [0, 1)
 
 // A sequence of numbers from one seed.
 class Random {
@@ -33,13 +34,13 @@ class Random {
   uint32_t state_;
 };
 
-// Value noise in [0, 1], smooth to the second derivative; `tiling_noise` repeats after `period` units in both axes.
-float tiling_noise(float x, float y, int period, uint32_t seed);
+// Value noise in [0, 1], smooth to the second derivative; `tiling_noise` repeats after `period` units of each axis.
+float tiling_noise(float x, float y, ivec2 period, uint32_t seed);
 double noise(const glm::dvec3& point, uint32_t seed);
 
 // Octaves of noise, each twice as fine and half as strong, in [0, 1]. The tiling one takes (u, v) in the unit square of a
 // texture, with `period` cells of the coarsest octave across it.
-float tiling_fractal(float u, float v, int period, int octaves, uint32_t seed);
+float tiling_fractal(float u, float v, ivec2 period, int octaves, uint32_t seed);
 double fractal(const glm::dvec3& point, int octaves, uint32_t seed);
 
 // 0 below `low`, 1 above `high`, smooth between.
