@@ -54,7 +54,7 @@ const barLabels = {
     ctx.save();
     ctx.textBaseline = "alphabetic";
     rows.forEach(({ row, total }, i) => {
-      const y = chart.scales.y.getPixelForValue(i) - 11;
+      const y = chart.scales.y.getPixelForValue(i) - 12;
       ctx.font = cssFont(12, 600), ctx.fillStyle = colours.muted, ctx.textAlign = "right";
       const text = withUnit(formatMs(total), "ms");
       ctx.fillText(text, chartArea.right, y);
@@ -68,8 +68,8 @@ const barLabels = {
 
 function axis(colours, title, more = {}) {
   return {
-    title: { display: Boolean(title), text: title, color: colours.muted, font: { size: 12 } },
-    grid: { color: colours.line, borderColor: colours.line, tickColor: "transparent" },
+    title: { display: true, text: title, color: colours.muted, font: { size: 12 } },
+    grid: { color: (c) => (c.tick?.label === "" ? "transparent" : colours.line), borderColor: colours.line, tickColor: "transparent" },
     ...more,
     ticks: { color: colours.muted, font: { size: 11 }, ...more.ticks },
   };
@@ -143,15 +143,15 @@ const passTime = (pass) => (isNumber(pass.median_ms) ? pass.median_ms : 0);
 
 // One data set for the n-th pass of each stage, so that passes of one stage share its colour and stand side by side.
 function passDatasets(rows, colours) {
-  const datasets = [];
+  const datasets = [], length = (pass, total) => (!pass ? 0 : state.bars === "ms" ? passTime(pass) : (100 * passTime(pass)) / (total || 1));
   for (const stage of stageNames.filter((name) => !state.hiddenStages.has(name))) {
     const passes = rows.map(({ row }) => row.passes.filter((pass) => stageOf(pass) === stage));
     const count = Math.max(0, ...passes.map((list) => list.length));
     for (let n = 0; n < count; ++n) {
       datasets.push({
-        label: stage, data: passes.map((list) => (list[n] ? passTime(list[n]) : 0)), passes: passes.map((list) => list[n]),
-        backgroundColor: colours[stage], borderColor: colours.panel, borderWidth: { right: 1 }, borderSkipped: false,
-        barThickness: 13, stack: "passes", minBarLength: 0,
+        label: stage, data: passes.map((list, i) => length(list[n], rows[i].total)), passes: passes.map((list) => list[n]),
+        backgroundColor: colours[stage], borderColor: colours.panel, borderSkipped: false,
+        borderWidth: (c) => ({ right: (c.parsed?.x ?? 0) > 0.012 * c.chart.scales.x.max ? 1 : 0 }), barThickness: 13, stack: "passes",
       });
     }
   }
@@ -179,7 +179,9 @@ function renderPassesChart() {
     .map((row) => ({ row, total: row.passes.filter(shown).reduce((sum, pass) => sum + passTime(pass), 0) }))
     .sort((a, b) => a.total - b.total || a.row.index - b.row.index);
   const canvas = byId("passes-chart");
-  canvas.parentElement.style.height = `${rows.length * 38 + 58}px`;
+  canvas.parentElement.style.height = `${rows.length * 40 + 58}px`;
+  // Many bars need the height that a page has, not the half width beside the other chart.
+  canvas.closest(".charts").classList.toggle("stacked", rows.length > 14);
   passesChart = new Chart(canvas, {
     type: "bar",
     plugins: [barLabels],
@@ -188,14 +190,14 @@ function renderPassesChart() {
       rows, indexAxis: "y", animation: false, maintainAspectRatio: false, layout: { padding: { top: 8 } },
       onClick: (event, hits) => { if (hits.length) showRow(rows[hits[0].index].row); },
       scales: {
-        x: axis(colours, "median, ms", { stacked: true, beginAtZero: true, ticks: { maxTicksLimit: 6, maxRotation: 0 } }),
+        x: axis(colours, state.bars === "ms" ? "median, ms" : "share of the row's shown passes, %", { stacked: true, beginAtZero: true, max: state.bars === "ms" ? undefined : 100, ticks: { maxTicksLimit: 6, maxRotation: 0 } }),
         y: { stacked: true, display: false },
       },
       plugins: {
         legend: { display: false },
         tooltip: tooltip(colours, {
           title: (items) => items[0]?.label,
-          label: ({ dataset, dataIndex, parsed }) => [`${dataset.passes[dataIndex]?.name ?? ""} (${dataset.label})`, withUnit(formatMs(parsed.x), "ms")],
+          label: ({ dataset: { passes, label }, dataIndex }) => [`${passes[dataIndex]?.name ?? ""} (${label})`, withUnit(formatMs(passes[dataIndex]?.median_ms), "ms")],
         }),
       },
     },

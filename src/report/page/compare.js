@@ -42,7 +42,7 @@ function renderCompare() {
   if (references.length) entries.push({ label: "Reference", options: references.map(({ picture }) => ({ label: picture.label, value: String(picture.index) })) });
   for (const row of own) entries.push({ label: row.label, options: row.own.map((picture) => option(picture, row.label)) });
   for (const select of [parts.leftSelect, parts.rightSelect]) fillSelect(select, entries, "");
-  parts.port.style.aspectRatio = pictureSize().join(" / ");
+  parts.port.style.setProperty("--aspect", pictureSize()[0] / pictureSize()[1]);
   const row = own[0];
   const first = row ? row.own[0] : references[0].picture;
   view.scale = 0, view.divide = 50;
@@ -57,7 +57,7 @@ function showPair(left, right) {
     const select = parts[`${side}Select`];
     select.value = String(index);
     const chosen = select.selectedOptions[0];
-    image.alt = parts[side].dataset.label = chosen ? (chosen.parentElement.label === "Reference" ? chosen.label : chosen.label) : "";
+    image.alt = parts[side].dataset.label = chosen?.label ?? "";
   }
   place();
 }

@@ -20,7 +20,9 @@ async function copyText(text, button) {
 
 function commandBlock(command) {
   const button = el("button", { type: "button", class: "copy", "aria-live": "polite", onclick: () => copyText(command, button) }, "Copy");
-  return el("div", { class: "command" }, el("code", {}, command), button);
+  // Words stay whole where a line ends: a break inside "--size" would read as a space.
+  const words = command.split(/( +)/).map((word) => (word.trim() ? el("span", { class: "word" }, word) : word));
+  return el("div", { class: "command" }, el("code", {}, words), button);
 }
 
 function passesTable(row) {
@@ -60,7 +62,8 @@ function timingList(timing = {}) {
 }
 
 function referenceList(reference = {}) {
-  return definitionList(Object.entries(reference ?? {}).filter(([, value]) => value && typeof value === "object").map(([kind, value]) => [
+  return definitionList(Object.entries(reference ?? {}).filter(([, value]) => value && typeof value === "object")
+    .sort(([a], [b]) => Object.keys(kinds).indexOf(a) - Object.keys(kinds).indexOf(b)).map(([kind, value]) => [
     kinds[kind]?.label ?? kind,
     [value.kind, isNumber(value.samples) ? plural(value.samples, "sample") : null,
       isNumber(value.confidence) && value.confidence > 0 ? `mae ± ${value.confidence.toPrecision(2)} (95 %)` : null].filter(Boolean).join(", "),
@@ -77,7 +80,7 @@ function errorsTable(row) {
     ["receivers", (v) => formatCount(v.receivers)],
   ];
   return el("table", { class: "errors" },
-    el("thead", {}, el("tr", {}, el("td"), present.map((kind) => el("th", { scope: "col", class: "number" }, kinds[kind].label)))),
+    el("thead", {}, el("tr", {}, el("td"), present.map((kind) => el("th", { scope: "col", class: "number" }, kind)))),
     el("tbody", {}, lines.map(([name, text]) => el("tr", {}, el("th", { scope: "row" }, name),
       present.map((kind) => el("td", { class: "number" }, text(row[kind])))))));
 }
@@ -90,16 +93,16 @@ function artefactList(artefacts) {
 
 function detailsOf(row) {
   const { raw } = row;
-  const block = (title, content, wide) => content && el("section", { class: wide ? "wide" : null }, el("h3", {}, title), content);
+  const block = (title, content, shape) => content && el("section", { class: shape }, el("h3", {}, title), content);
   const settings = Object.entries(raw.settings ?? {});
   return el("div", { class: "details" },
-    block("Command that repeats this row", commandBlock(raw.command), true),
-    !row.available && block("Why it is unavailable", el("p", {}, raw.reason || "no reason given"), true),
-    row.passes.length > 0 && block("Passes", passesTable(row), true),
-    block("Errors", errorsTable(row)),
+    block("Command that repeats this row", commandBlock(raw.command), "wide"),
+    !row.available && block("Why it is unavailable", el("p", {}, raw.reason || "no reason given"), "wide"),
+    row.passes.length > 0 && block("Passes", passesTable(row), "wide"),
+    block("Errors", errorsTable(row), "tall"),
     row.available && block("Measuring", timingList(raw.timing ?? {})),
     row.available && block("Reference", referenceList(raw.reference)),
     block("Artefact scores", artefactList(raw.artefacts)),
     settings.length > 0 && block("Settings in effect", el("ul", { class: "settings" },
-      settings.map(([name, value]) => el("li", {}, el("span", {}, name), " ", el("b", {}, value)))), true));
+      settings.map(([name, value]) => el("li", {}, el("span", {}, name), " ", el("b", {}, value)))), "wide"));
 }

@@ -6,13 +6,13 @@ const narrowSpace = "\u202f";
 const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
 const orDash = (value, text) => (isNumber(value) ? text(value) : dash);
 
-const formatError = (value) => orDash(value, (v) => (v !== 0 && Math.abs(v) < 0.00005 ? "<0.0001" : v.toFixed(4)));
-const formatSigned = (value) => orDash(value, (v) => (v < 0 ? "−" : "+") + Math.abs(v).toFixed(4));
+const formatError = (value) => orDash(value, (v) => (v === 0 ? "0" : Math.abs(v) < 0.00005 ? "<0.0001" : v.toFixed(4)));
+const formatSigned = (value) => orDash(value, (v) => (v === 0 ? "0" : (v < 0 ? "−" : "+") + Math.abs(v).toFixed(4)));
 const formatPercent = (value) => orDash(value, (v) => {
   const percent = 100 * v;
-  return percent !== 0 && percent < 0.005 ? "<0.01" : percent.toFixed(percent >= 99.95 ? 0 : percent >= 10 ? 1 : 2);
+  return percent === 0 ? "0" : percent < 0.005 ? "<0.01" : percent.toFixed(percent >= 99.95 ? 0 : percent >= 10 ? 1 : 2);
 });
-const formatShare = (value) => orDash(value, (v) => v.toFixed(2));
+const formatShare = (value) => orDash(value, (v) => (v === 0 ? "0" : v.toFixed(2)));
 
 // Three significant digits, never an exponent.
 const formatMs = (value) => orDash(value, (v) => {

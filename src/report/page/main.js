@@ -20,6 +20,8 @@ function renderKind() {
 byId("main").hidden = false;
 fillSelect(byId("metric"), Object.entries(metrics).map(([value, metric]) => ({ label: metric.label, value })), state.metric);
 byId("metric").addEventListener("change", (event) => { state.metric = event.target.value; renderSummary(); renderCostChart(); });
+fillSelect(byId("bars"), [{ label: "in ms", value: "ms" }, { label: "as shares", value: "share" }], state.bars);
+byId("bars").addEventListener("change", (event) => { state.bars = event.target.value; renderPassesChart(); });
 renderGroupSelect((group) => { state.group = group; renderGroup(); });
 buildCompare();
 renderGroup();

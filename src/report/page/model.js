@@ -17,7 +17,7 @@ const stageHelp = {
 // A picture's name as people say it; keys that are not known yet show as they are.
 const pictureNames = {
   "shaded": "shaded", "mask": "mask", "error.hard": "error, hard", "error.area": "error, area",
-  "reference.hard": "reference mask, hard", "reference.area": "reference mask, area", "reference_shaded": "reference, shaded",
+  "reference_shaded": "shaded reference", "reference.hard": "reference mask, hard", "reference.area": "reference mask, area",
 };
 
 function flattenPictures(images, prefix = "") {
@@ -30,9 +30,16 @@ function flattenPictures(images, prefix = "") {
   return pictures;
 }
 
+// In the order of pictureNames: keys of a line are sorted by their names only.
+function picturesOf(raw) {
+  const order = Object.keys(pictureNames);
+  const rank = (picture) => (order.includes(picture.key) ? order.indexOf(picture.key) : order.length);
+  return flattenPictures(raw.images).sort((a, b) => rank(a) - rank(b));
+}
+
 function makeRow(raw, index) {
   const available = raw.status === "ok";
-  const pictures = flattenPictures(raw.images);
+  const pictures = picturesOf(raw);
   return {
     raw, index, available,
     label: raw.label,
@@ -64,10 +71,17 @@ const state = {
   metric: "mae",
   sort: { key: "mae_hard", ascending: true },
   hiddenStages: new Set(),
+  bars: "ms",  // or "share": of the shown passes of each row
   expanded: new Set(),
 };
 
 const kindsOf = (group) => Object.keys(kinds).filter((kind) => group.rows.some((row) => row[kind]));
+
+// A label in two: the technique, and the settings in which it differs from other rows of the same technique.
+function labelParts(row) {
+  const { technique } = row.raw;
+  return row.label.startsWith(technique) ? [technique, row.label.slice(technique.length).trim()] : [row.label, ""];
+}
 
 // What the rows of a group have in common; the first row speaks for all, by how groups are made.
 const sample = (group) => group.rows[0].raw;

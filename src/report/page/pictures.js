@@ -30,21 +30,21 @@ function thumbnail(row, picture, name) {
     byId("compare-section").scrollIntoView({ behavior: "smooth", block: "start" });
   };
   return el("button", { type: "button", class: "thumbnail", onclick: show, title: `${name}, ${picture.label}: show above` },
-    el("img", { src: pictureUri(picture), width, height, loading: "lazy", decoding: "async", alt: `${name}, ${picture.label}` }),
+    el("img", { src: pictureUri(picture), width, height, decoding: "async", alt: `${name}, ${picture.label}` }),
     el("span", {}, picture.label));
 }
 
 function renderGallery() {
   const { references, own } = groupPictures();
   const line = (title, more, thumbnails) => el("section", { class: "strip" },
-    el("h3", {}, title, more && el("small", {}, more)), el("div", { class: "thumbnails" }, thumbnails));
+    el("h3", {}, title, more.filter(Boolean).map((text) => el("small", {}, text))), el("div", { class: "thumbnails" }, thumbnails));
   const sections = [];
   if (references.length) {
-    sections.push(line("Reference", "ray traced", references.map(({ row, picture }) => thumbnail(row, picture, "reference"))));
+    sections.push(line("Reference", ["ray traced"], references.map(({ row, picture }) => thumbnail(row, picture, "reference"))));
   }
   for (const row of own) {
-    const mae = row[state.kind]?.mae;
-    sections.push(line(row.label, isNumber(mae) ? `mae ${formatError(mae)}` : null, row.own.map((picture) => thumbnail(row, picture, row.label))));
+    const mae = row[state.kind]?.mae, [technique, settings] = labelParts(row);
+    sections.push(line(technique, [settings, isNumber(mae) && `mae ${formatError(mae)}`], row.own.map((picture) => thumbnail(row, picture, row.label))));
   }
   byId("gallery").replaceChildren(...sections);
   byId("gallery-section").hidden = byId("compare-section").hidden = sections.length === 0;

@@ -63,7 +63,7 @@ function tableHead(columns) {
 }
 
 function nameCell(row) {
-  const open = state.expanded.has(row);
+  const open = state.expanded.has(row), [technique, settings] = labelParts(row);
   const toggle = () => {
     if (!state.expanded.delete(row)) state.expanded.add(row);
     renderTable();
@@ -71,7 +71,7 @@ function nameCell(row) {
   };
   return el("th", { scope: "row", class: "name" },
     el("button", { type: "button", id: `open-${row.index}`, "aria-expanded": String(open), "aria-controls": `details-${row.index}`, onclick: toggle },
-      el("span", { class: "arrow", "aria-hidden": "true" }), el("span", {}, row.label)));
+      el("span", { class: "arrow", "aria-hidden": "true" }), el("span", { class: "label" }, technique, settings && el("small", {}, settings))));
 }
 
 function numberCell(column, row, largest) {

@@ -1,0 +1,343 @@
+// Results in, table, CSV and page out: alignment, escaping, pictures once, and what is refused with file and line.
+#include "report/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/image.h"
+#include "report/html.h"
+#include "report/pictures.h"
+#include "report/result_set.h"
+
+namespace gnomon {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+json minimal(const std::string& technique) {
+  return {{"technique", technique}, {"status", "ok"}, {"command", "gnomon compare box -o out"},
+          {"scene", {{"name", "box"}}}, {"size", {64, 48}}, {"samples", 1}};
+}
+
+json measured(const std::string& technique, double mae, double total) {
+  json line = minimal(technique);
+  line["settings"] = {{"single", {{"size", 2048}}}};
+  line["visibility"]["hard"] = {{"mae", mae}, {"rmse", 2 * mae}, {"false_shadow", {{"area", 0.004}, {"severity", 0.8}}},
+                                {"false_light", {{"area", 0.1}, {"severity", 0.7}}}};
+  line["gpu_ms"] = {{"build", 0.75 * total}, {"resolve", 0.25 * total}, {"total", total}};
+  line["memory_bytes"] = 16777216;
+  return line;
+}
+
+json unavailable(const std::string& technique, const std::string& reason) {
+  json line = minimal(technique);
+  line["status"] = "unavailable";
+  line["reason"] = reason;
+  return line;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (size_t begin = 0; begin < text.size();) {
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+size_t count_of(const std::string& text, const std::string& part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+class Report : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("gnomon_report_") + info->name());
+    std::filesystem::remove_all(folder_);
+    make_folder(folder_ / "images");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write_lines(const std::vector<json>& lines) {
+    std::string text;
+    for (const json& line : lines) text += line.dump() + "\n";
+    write_file(folder_ / "results.jsonl", text);
+  }
+
+  void write_picture(const std::string& name, uint8_t shade) {
+    Image8 image(4, 3);
+    for (auto& value : image.rgba) value = shade;
+    write_png(folder_ / name, image);
+  }
+
+  std::string page() {
+    write_report(std::vector{folder_}, {});
+    return read_text_file(folder_ / "report.html");
+  }
+
+  json page_data() {
+    const std::string text = page(), open = "id=\"gnomon-data\">";
+    const size_t begin = text.find(open) + open.size();
+    return json::parse(text.substr(begin, text.find("</script>", begin) - begin));
+  }
+
+  // The message with which reading the current results fails.
+  std::string refusal() {
+    try {
+      read_results(folder_);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  std::string refusal_of(const std::function<void(json&)>& change) {
+    json line = measured("single/pcf", 0.01, 1);
+    change(line);
+    write_lines({minimal("single/hard"), line});
+    return refusal();
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST(TextTable, AlignsItsColumns) {
+  const std::vector<json> results = {measured("single/pcf", 0.01, 0.6), measured("cascaded/vsm", 0.12345, 12.5)};
+  EXPECT_EQ(text_table(results),
+            "technique        mae  false shadow %  false light %  build ms  resolve ms  total ms   MiB\n"
+            "single/pcf    0.0100            0.40          10.00     0.450       0.150     0.600  16.0\n"
+            "cascaded/vsm  0.1235            0.40          10.00     9.375       3.125    12.500  16.0\n");
+}
+
+TEST(TextTable, ShowsAnAreaColumnWhereThereIsOne) {
+  std::vector<json> results = {measured("single/pcf", 0.01, 0.6), measured("single/vsm", 0.02, 0.6)};
+  results[1]["visibility"]["area"] = {{"mae", 0.0042}};
+  const auto lines = lines_of(text_table(results));
+  EXPECT_THAT(lines[0], HasSubstr("area mae"));
+  EXPECT_THAT(lines[2], HasSubstr("0.0042"));
+}
+
+TEST(TextTable, DashesForWhatWasNotMeasuredAndReasonsForWhatCannotRun) {
+  std::vector<json> results = {minimal("single/hard"), unavailable("ray_traced", "no ray tracing"), unavailable("volumes", "")};
+  results[0]["visibility"] = {{"hard", {{"mae", nullptr}}}};
+  const auto lines = lines_of(text_table(results));
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_THAT(lines[1], AllOf(HasSubstr("single/hard"), HasSubstr("-"), Not(HasSubstr("nan")), Not(HasSubstr("null"))));
+  EXPECT_EQ(lines[2], "ray_traced   unavailable: no ray tracing");
+  EXPECT_EQ(lines[3], "volumes      unavailable: no reason given");
+}
+
+TEST(TextTable, GroupsScenesAndNamesTheSettingsThatDiffer) {
+  std::vector<json> results = {measured("single/pcf", 0.01, 1), measured("single/pcf", 0.02, 1), measured("single/hard", 0.03, 1)};
+  results[1]["settings"]["single"]["size"] = 512;
+  json other = measured("single/pcf", 0.04, 1);
+  other["scene"]["name"] = "courtyard";
+  results.push_back(other);
+  const std::string text = text_table(results);
+  EXPECT_THAT(text, AllOf(HasSubstr("\nbox, 64 × 48, 1 sample\n"), HasSubstr("\ncourtyard, 64 × 48, 1 sample\n")));
+  EXPECT_THAT(text, AllOf(HasSubstr("\nsingle/pcf single.size=2048  "), HasSubstr("\nsingle/pcf single.size=512   ")));
+  EXPECT_THAT(text, HasSubstr("\nsingle/hard                  "));
+}
+
+TEST(TextTable, ControlCharactersDoNotReachTheTerminal) {
+  const std::vector<json> results = {unavailable("evil\x1b[2J", "line\nbreak")};
+  const std::string text = text_table(results);
+  EXPECT_EQ(text.find('\x1b'), text.npos);
+  EXPECT_EQ(count_of(text, "\n"), 2u);
+}
+
+TEST(TextTable, OfNothing) { EXPECT_EQ(text_table({}), "no results\n"); }
+
+TEST(Groups, RowsOfOneTechniqueAndSettingsAreNumbered) {
+  const std::vector<json> results = {measured("a", 1, 1), measured("a", 2, 1)};
+  const auto groups = group_results(results);
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_THAT(groups[0].labels, testing::ElementsAre("a", "a (2)"));
+}
+
+TEST(Groups, LightsOfOneNameThatDifferAreNotMixed) {
+  std::vector<json> results = {measured("a", 1, 1), measured("a", 2, 1)};
+  results[0]["lights"] = {{{"name", "sun"}, {"direction", {0, -1, 0}}}};
+  results[1]["lights"] = {{{"name", "sun"}, {"direction", {1, -1, 0}}}};
+  const auto groups = group_results(results);
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_NE(groups[0].title, groups[1].title);
+}
+
+TEST(Html, EscapesTextAndJson) {
+  EXPECT_EQ(escape_html("<b a='1' c=\"2\">&"), "&lt;b a=&#39;1&#39; c=&quot;2&quot;&gt;&amp;");
+  const json value = {{"a", "</script><!-- & {{data}}"}};
+  const std::string text = script_json(value);
+  EXPECT_EQ(text.find_first_of("<>&"), text.npos);
+  EXPECT_EQ(json::parse(text), value);
+}
+
+TEST(Html, ValuesOfATemplateAreNotSearchedAgain) {
+  EXPECT_EQ(fill_template("a {{x}} b {{y}}{{x}}", {{"x", "{{y}}"}, {"y", "2"}}), "a {{y}} b 2{{y}}");
+}
+
+TEST(Base64, OfEveryLength) {
+  const auto encode = [](std::string_view text) { return base64(std::as_bytes(std::span(text))); };
+  EXPECT_EQ(encode(""), "");
+  EXPECT_EQ(encode("f"), "Zg==");
+  EXPECT_EQ(encode("fo"), "Zm8=");
+  EXPECT_EQ(encode("foo"), "Zm9v");
+  EXPECT_EQ(encode("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(encode("\xff\xfe\xfd"), "//79");
+}
+
+TEST_F(Report, ReadsWhatAMeasuringRunWrites) {
+  write_lines({measured("single/pcf", 0.01, 1), unavailable("ray_traced", "no ray tracing"), minimal("timed_by_nobody")});
+  EXPECT_EQ(read_results(folder_).size(), 3u);
+}
+
+TEST_F(Report, RefusesAMissingFileAndAnEmptyOne) {
+  EXPECT_THAT(refusal(), HasSubstr("results.jsonl"));
+  write_file(folder_ / "results.jsonl", std::string_view("\n"));
+  EXPECT_THAT(refusal(), HasSubstr("holds no results"));
+  EXPECT_THROW(write_report({}, folder_ / "report.html"), Error);
+}
+
+TEST_F(Report, NamesTheLineThatIsNotJson) {
+  write_file(folder_ / "results.jsonl", minimal("a").dump() + "\n{\"technique\": \n" + minimal("b").dump() + "\n");
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("results.jsonl:2: not JSON"), Not(HasSubstr("exception"))));
+  write_file(folder_ / "results.jsonl", std::string_view("[1, 2]\n"));
+  EXPECT_THAT(refusal(), HasSubstr("results.jsonl:1: not a result"));
+}
+
+TEST_F(Report, SaysThatTheLastLineIsCutOff) {
+  const std::string whole = minimal("a").dump();
+  for (size_t length = 1; length < whole.size(); ++length) {
+    write_file(folder_ / "results.jsonl", whole + "\n" + whole.substr(0, length));
+    ASSERT_THAT(refusal(), HasSubstr("results.jsonl:2: the last line is cut off")) << length;
+  }
+  write_file(folder_ / "results.jsonl", whole + "\n" + whole);  // whole, only without its newline
+  EXPECT_EQ(refusal(), "accepted");
+}
+
+TEST_F(Report, NamesTheKeyThatMattersAndIsMissing) {
+  for (const char* key : {"technique", "status", "command", "scene", "size", "samples"}) {
+    EXPECT_THAT(refusal_of([&](json& line) { line.erase(key); }), AllOf(HasSubstr("results.jsonl:2:"), HasSubstr(key))) << key;
+  }
+}
+
+TEST_F(Report, NamesTheKeyWhoseValueIsOfNoUse) {
+  const auto set = [this](const char* pointer, const json& value) {
+    return refusal_of([&](json& line) { line[json::json_pointer(pointer)] = value; });
+  };
+  EXPECT_THAT(set("/visibility/hard/mae", "small"), AllOf(HasSubstr("'visibility.hard.mae'"), HasSubstr("valid: a number")));
+  EXPECT_THAT(set("/gpu_ms", 1), HasSubstr("'gpu_ms' is 1; valid: an object"));
+  EXPECT_THAT(set("/status", "fine"), HasSubstr("valid: ok, unavailable"));
+  EXPECT_THAT(set("/size", {64}), HasSubstr("'size'"));
+  EXPECT_THAT(set("/size", {0, 64}), HasSubstr("'size'"));
+  EXPECT_THAT(set("/samples", 0), HasSubstr("'samples'"));
+  EXPECT_THAT(set("/passes", json::array({{{"median_ms", 1}}})), HasSubstr("'passes.0' has no name"));
+  EXPECT_THAT(set("/passes", json::array({{{"name", "a"}, {"median_ms", "x"}}})), HasSubstr("'passes.0.median_ms'"));
+  EXPECT_EQ(set("/visibility/hard/mae", nullptr), "accepted");
+  EXPECT_EQ(set("/a_key_of_a_later_version", 1), "accepted");
+}
+
+TEST_F(Report, NamesResultsAndPictureWhereOneIsMissing) {
+  EXPECT_THAT(refusal_of([](json& line) { line["images"] = {{"error", {{"hard", "images/lost.png"}}}}; }),
+              AllOf(HasSubstr("results.jsonl:2"), HasSubstr("images.error.hard"), HasSubstr("images/lost.png"), HasSubstr("missing")));
+}
+
+TEST_F(Report, TakesNoPicturesFromOutsideItsFolder) {
+  for (const char* name : {"../secret.png", "images/../../secret.png", "/etc/hostname"}) {
+    EXPECT_THAT(refusal_of([&](json& line) { line["images"] = {{"shaded", name}}; }), HasSubstr("outside")) << name;
+  }
+}
+
+TEST_F(Report, RefusesAPictureThatIsNoPng) {
+  write_file(folder_ / "images/a.png", std::string_view("hello"));
+  json line = minimal("a");
+  line["images"] = {{"shaded", "images/a.png"}};
+  write_lines({line});
+  try {
+    page();
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("results.jsonl:1"), HasSubstr("a.png"), HasSubstr("not a PNG")));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
+}
+
+TEST_F(Report, EmbedsEachPictureOnce) {
+  write_picture("images/reference.png", 10);
+  write_picture("images/copy_of_reference.png", 10);
+  write_picture("images/a.png", 20);
+  write_picture("images/b.png", 30);
+  json a = minimal("a"), b = minimal("b");
+  a["images"] = {{"shaded", "images/a.png"}, {"reference", {{"hard", "images/reference.png"}}}};
+  b["images"] = {{"shaded", "images/b.png"}, {"reference", {{"hard", "images/copy_of_reference.png"}}}};
+  write_lines({a, b});
+  const json data = page_data();
+  EXPECT_EQ(data["pictures"].size(), 3u);
+  const json& rows = data["groups"][0]["rows"];
+  EXPECT_EQ(rows[0]["images"]["reference"], rows[1]["images"]["reference"]);
+  EXPECT_NE(rows[0]["images"]["shaded"], rows[1]["images"]["shaded"]);
+}
+
+TEST_F(Report, StringsCannotLeaveTheirPlace) {
+  const std::string evil = "</script><script>alert(1)</script><!--{{js}}";
+  json line = measured(evil, 0.01, 1);
+  line["scene"]["name"] = evil;
+  line["command"] = evil;
+  write_lines({line, unavailable("b", evil)});
+  EXPECT_EQ(page_data()["groups"][0]["rows"][0]["command"], evil);
+  const std::string text = page();
+  EXPECT_EQ(count_of(text, "alert(1)</script>"), 0u);
+  EXPECT_EQ(count_of(text, "<script"), 3u);
+  EXPECT_EQ(count_of(text, "</script"), 3u);
+  EXPECT_EQ(count_of(text, "<!--"), 0u);
+}
+
+TEST_F(Report, IsOneFileThatLoadsNothing) {
+  write_lines({measured("a", 0.01, 1)});
+  const std::string text = page();
+  EXPECT_THAT(text, AllOf(HasSubstr("default-src 'none'"), HasSubstr("Chart.js v")));
+  EXPECT_EQ(count_of(text, "<script src"), 0u);
+  EXPECT_EQ(count_of(text, "rel=\"stylesheet\""), 0u);
+  EXPECT_EQ(text, page()) << "the same results give the same page";
+}
+
+TEST_F(Report, JoinsFoldersAndWritesWhereAsked) {
+  write_lines({measured("a", 0.01, 1)});
+  const auto second = folder_ / "second";
+  make_folder(second);
+  write_file(second / "results.jsonl", measured("b", 0.02, 1).dump() + "\n");
+  write_report(std::vector{folder_, second}, folder_ / "both.html");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
+  EXPECT_THAT(read_text_file(folder_ / "both.html"), HasSubstr("\"label\":\"b\""));
+}
+
+TEST_F(Report, CsvQuotesAndKeepsFullPrecision) {
+  json line = measured("a", 0.1234567890123, 1);
+  line["command"] = "gnomon compare \"my scene\", twice";
+  line["artefacts"] = {{"acne", 0.25}};
+  json other = unavailable("b", "two\nlines");
+  other["settings"] = {{"vsm", {{"blur", 3}}}};
+  write_lines({line, other});
+  write_csv(std::vector{folder_}, folder_ / "results.csv");
+  const std::string text = read_text_file(folder_ / "results.csv");
+  EXPECT_THAT(text, AllOf(HasSubstr("0.1234567890123,"), HasSubstr("\"gnomon compare \"\"my scene\"\", twice\""), HasSubstr("\"two\nlines\"")));
+  const auto lines = lines_of(text);
+  EXPECT_THAT(lines[0], testing::EndsWith(",command,artefacts.acne,single.size,vsm.blur"));
+  EXPECT_THAT(lines[1], testing::EndsWith(",0.25,2048,"));
+  EXPECT_THAT(lines.back(), testing::EndsWith(",,,3"));
+}
+
+}  // namespace
+}  // namespace gnomon
