@@ -2,6 +2,7 @@
 #ifndef GNOMON_BINDLESS_GLSL
 #define GNOMON_BINDLESS_GLSL
 #extension GL_EXT_nonuniform_qualifier : require
+#extension GL_EXT_samplerless_texture_functions : require
 
 layout(set = 0, binding = 0) uniform texture2D textures_2d[];
 layout(set = 0, binding = 0) uniform texture2DArray textures_2d_array[];

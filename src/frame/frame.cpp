@@ -1,0 +1,198 @@
+// The frame's passes.
+#include "frame/frame.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/error.h"
+#include "frame/light_data.h"
+
+namespace gnomon {
+namespace {
+
+constexpr uvec2 k_group = {8, 8};
+
+struct ShadeArguments {
+  uint64_t frame, mask, display, linear;
+};
+
+}  // namespace
+
+Frame::Frame(Device& device, const GpuScene& scene, uvec2 size, uint32_t samples, std::span<const Light> lights)
+    : device_(device), scene_(scene), size_(size), samples_(samples), lights_(lights.begin(), lights.end()) {
+  const auto& counts = device.info().sample_counts;
+  if (std::find(counts.begin(), counts.end(), static_cast<int>(samples)) == counts.end()) {
+    fail_device("{} samples: '{}' offers {}", samples, device.info().name, fmt::join(counts, ", "));
+  }
+  if (lights_.empty()) fail("{}: the scene has no light; give one with --light", scene.scene().name);
+  create_images();
+  const size_t n = sample_count();
+  view_z_ = Buffer(device, "surface view_z", n * 4);
+  geometric_normal_ = Buffer(device, "surface normal", n * 4);
+  item_ = Buffer(device, "surface item", n * 4);
+  primitive_ = Buffer(device, "surface primitive", n * 4);
+  share_ = Buffer(device, "surface share", size_t{size.x} * size.y * 4);
+  mask_ = Buffer(device, "visibility mask", lights_.size() * n * 4);
+  display_ = Buffer(device, "display", size_t{size.x} * size.y * 4);
+  linear_ = Buffer(device, "linear", size_t{size.x} * size.y * 16);
+  frame_data_ = Buffer(device, "frame data", sizeof(FrameData), BufferMemory::upload);
+  light_buffer_ = Buffer(device, "lights", lights_.size() * sizeof(LightData), BufferMemory::upload);
+  const auto light_list = light_buffer_.mapped_as<LightData>();
+  for (size_t i = 0; i < lights_.size(); ++i) light_list[i] = light_data(lights_[i]);
+  light_buffer_.flush();
+
+  draws_ = CulledDraws(device, scene, "camera");
+  cull_pipeline_ = make_cull_pipeline(device);
+  GraphicsPipelineInfo surface;
+  surface.vertex = "frame/surface.vert";
+  surface.fragment = "frame/surface.frag";
+  surface.colour_formats = {albedo_.info().format, normal_.info().format, id_.info().format};
+  surface.samples = samples;
+  surface_pipeline_ = make_graphics_pipeline(device, surface);
+  pack_pipeline_ = make_compute_pipeline(device, "frame/surface_pack.comp", {samples});
+  shade_pipeline_ = make_compute_pipeline(device, "frame/shade.comp", {samples});
+  points_pipeline_ = make_compute_pipeline(device, "frame/surface_points.comp");
+}
+
+void Frame::create_images() {
+  const auto make = [&](const char* name, VkFormat format, VkImageUsageFlags usage) {
+    ImageInfo info;
+    info.name = name;
+    info.width = size_.x, info.height = size_.y;
+    info.format = format;
+    info.usage = usage | VK_IMAGE_USAGE_SAMPLED_BIT;
+    info.samples = samples_;
+    return Image(device_, info);
+  };
+  albedo_ = make("surface albedo", VK_FORMAT_R8G8B8A8_SRGB, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+  normal_ = make("surface shading normal", VK_FORMAT_R16G16B16A16_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+  id_ = make("surface ids", VK_FORMAT_R32G32_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+  depth_ = make("surface depth", VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+}
+
+void Frame::set_camera(const Camera& camera) {
+  data_.camera = camera_data(camera, size_, samples_);
+  fill_frame_data();
+}
+
+void Frame::fill_frame_data() {
+  data_.scene = scene_.data();
+  data_.surface = {view_z_.address(), geometric_normal_.address(), item_.address(), primitive_.address(), share_.address()};
+  data_.light_count = static_cast<uint32_t>(lights_.size());
+  data_.ambient = params_.ambient;
+  data_.exposure = params_.exposure;
+  data_.normal_maps = params_.normal_maps;
+  data_.specular = params_.specular;
+  data_.albedo_image = albedo_.sampled();
+  data_.normal_image = normal_.sampled();
+  data_.id_image = id_.sampled();
+  data_.depth_image = depth_.sampled();
+  data_.lights = light_buffer_.address();
+  std::memcpy(frame_data_.mapped(), &data_, sizeof data_);
+  frame_data_.flush();
+}
+
+void Frame::record_surface(Recorder& recorder) {
+  draws_.record(recorder, cull_pipeline_, "surface/cull", PassStage::surface,
+                frame_data_.address() + offsetof(FrameData, camera) + offsetof(CameraData, clip_from_world), k_cull_depth);
+
+  std::vector<ResourceUse> uses = draws_.uses();
+  for (const Image* image : {&albedo_, &normal_, &id_}) uses.emplace_back(*image, Use::colour_write);
+  uses.emplace_back(depth_, Use::depth_write);
+  recorder.pass("surface/draw", PassStage::surface, uses, [&](Commands& commands) {
+    const Attachment colours[] = {{albedo_.layer_view(0), {}}, {normal_.layer_view(0), {}}, {id_.layer_view(0), {}}};
+    commands.begin_rendering(size_, colours, {depth_.layer_view(0), {.depthStencil = {0.0f, 0}}});
+    commands.bind(surface_pipeline_);
+    commands.push(frame_data_.address());
+    for (uint32_t bucket = 0; bucket < k_bucket_count; ++bucket) {
+      const bool mirrored = bucket & Bucket::k_mirrored;
+      const VkCullModeFlags back = mirrored ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT;
+      commands.cull_mode(bucket & Bucket::k_double_sided ? VK_CULL_MODE_NONE : back);
+      draws_.draw_bucket(commands, bucket);
+    }
+    commands.end_rendering();
+  });
+
+  recorder.pass("surface/pack", PassStage::surface,
+                {{albedo_, Use::compute_read}, {normal_, Use::compute_read}, {id_, Use::compute_read}, {depth_, Use::compute_read},
+                 {view_z_, Use::compute_write}, {geometric_normal_, Use::compute_write}, {item_, Use::compute_write},
+                 {primitive_, Use::compute_write}, {share_, Use::compute_write}},
+                [&](Commands& commands) {
+                  commands.bind(pack_pipeline_);
+                  commands.push(frame_data_.address());
+                  commands.dispatch(size_, k_group);
+                });
+}
+
+void Frame::record_shade(Recorder& recorder) {
+  std::vector<ResourceUse> uses = surface_uses(Use::compute_read);
+  for (const Image* image : {&albedo_, &normal_}) uses.emplace_back(*image, Use::compute_read);
+  uses.emplace_back(mask_, Use::compute_read);
+  uses.emplace_back(display_, Use::compute_write);
+  uses.emplace_back(linear_, Use::compute_write);
+  recorder.pass("shade", PassStage::shade, uses, [&](Commands& commands) {
+    commands.bind(shade_pipeline_);
+    commands.push(ShadeArguments{frame_data_.address(), mask_.address(), display_.address(), linear_.address()});
+    commands.dispatch(size_, k_group);
+  });
+}
+
+std::vector<ResourceUse> Frame::surface_uses(Use use) const {
+  return {{view_z_, use}, {geometric_normal_, use}, {item_, use}, {primitive_, use}, {share_, use}};
+}
+
+Image8 Frame::read_display() const {
+  const auto bytes = read_back(device_, display_, display_.bytes());
+  Image8 image(static_cast<int>(size_.x), static_cast<int>(size_.y));
+  std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
+  return image;
+}
+
+ImageF Frame::read_linear() const {
+  const auto bytes = read_back(device_, linear_, linear_.bytes());
+  ImageF image(static_cast<int>(size_.x), static_cast<int>(size_.y), 4);
+  std::memcpy(image.values.data(), bytes.data(), bytes.size());
+  return image;
+}
+
+std::vector<float> Frame::read_mask(size_t light) const {
+  const auto all = read_back_as<float>(device_, mask_, lights_.size() * sample_count());
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(light * sample_count());
+  return {begin, begin + static_cast<std::ptrdiff_t>(sample_count())};
+}
+
+void Frame::write_mask(size_t light, std::span<const float> visibility) const {
+  GNOMON_ASSERT(visibility.size() == sample_count());
+  const Buffer staging(device_, "mask staging", visibility.size_bytes(), BufferMemory::upload);
+  std::memcpy(staging.mapped(), visibility.data(), visibility.size_bytes());
+  staging.flush();
+  run_once(device_, [&](VkCommandBuffer commands) {
+    const VkBufferCopy region = {0, light * sample_count() * sizeof(float), visibility.size_bytes()};
+    vkCmdCopyBuffer(commands, staging.handle(), mask_.handle(), 1, &region);
+  });
+}
+
+Buffer Frame::make_points() const {
+  Buffer points(device_, "surface points", sample_count() * sizeof(SurfacePoint));
+  struct Arguments {
+    uint64_t frame, points;
+  };
+  Recorder recorder(device_, TimingMode::play, false);
+  recorder.begin();
+  std::vector<ResourceUse> uses = surface_uses(Use::compute_read);
+  uses.emplace_back(points, Use::compute_write);
+  recorder.pass("surface/points", PassStage::other, uses, [&](Commands& commands) {
+    commands.bind(points_pipeline_);
+    commands.push(Arguments{frame_data_.address(), points.address()});
+    commands.dispatch(size_, k_group);
+  });
+  recorder.finish();
+  return points;
+}
+
+std::vector<SurfacePoint> Frame::read_points() const {
+  const Buffer points = make_points();
+  return read_back_as<SurfacePoint>(device_, points, sample_count());
+}
+
+}  // namespace gnomon

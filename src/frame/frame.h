@@ -1,0 +1,77 @@
+// What all techniques share in one frame: surface buffer, visibility masks, shading.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/image.h"
+#include "base/params.h"
+#include "frame/camera_data.h"
+#include "frame/cull.h"
+#include "frame/gpu_scene.h"
+#include "scene/surface_point.h"
+
+namespace gnomon {
+
+namespace frame_params {
+#define GNOMON_PARAMS_FILE "frame/frame.params"
+#include "base/params_define.h"
+#undef GNOMON_PARAMS_FILE
+}  // namespace frame_params
+
+class Frame {
+ public:
+  // Throws Error (device) for a sample count that the device does not offer, naming those it does.
+  Frame(Device& device, const GpuScene& scene, uvec2 size, uint32_t samples, std::span<const Light> lights);
+
+  // What techniques read: valid between set_camera and the next one.
+  void set_camera(const Camera& camera);
+  void set_params(const frame_params::Params& params) { params_ = params; }
+  const CameraData& camera() const { return data_.camera; }
+  const GpuScene& scene() const { return scene_; }
+  Device& device() const { return device_; }
+  std::span<const Light> lights() const { return lights_; }
+  uvec2 size() const { return size_; }
+  uint32_t samples() const { return samples_; }
+  size_t sample_count() const { return size_t{size_.x} * size_.y * samples_; }
+  uint64_t data_address() const { return frame_data_.address(); }
+  const Pipeline& cull_pipeline() const { return cull_pipeline_; }
+
+  // Camera culling, raster, packing.
+  void record_surface(Recorder& recorder);
+  // Lights the surface through the masks.
+  void record_shade(Recorder& recorder);
+
+  // The buffers that a pass reading the surface must name.
+  std::vector<ResourceUse> surface_uses(Use use) const;
+  // Visibility of light i: floats, in the surface buffer's order.
+  const Buffer& mask() const { return mask_; }
+  uint64_t mask_address(size_t light) const { return mask_.address() + light * sample_count() * sizeof(float); }
+
+  // Results of the last finished frame; these wait for the GPU.
+  Image8 read_display() const;
+  ImageF read_linear() const;  // RGBA, scene linear
+  std::vector<float> read_mask(size_t light) const;
+  void write_mask(size_t light, std::span<const float> visibility) const;  // to shade with the reference
+  std::vector<SurfacePoint> read_points() const;
+  // The same points for the GPU's reference.
+  Buffer make_points() const;
+
+ private:
+  void create_images();
+  void fill_frame_data();
+
+  Device& device_;
+  const GpuScene& scene_;
+  uvec2 size_;
+  uint32_t samples_;
+  std::vector<Light> lights_;
+  frame_params::Params params_;
+  FrameData data_ = {};
+  Image albedo_, normal_, id_, depth_;
+  Buffer view_z_, geometric_normal_, item_, primitive_, share_, mask_, display_, linear_, frame_data_, light_buffer_;
+  CulledDraws draws_;
+  Pipeline cull_pipeline_, surface_pipeline_, pack_pipeline_, shade_pipeline_, points_pipeline_;
+};
+
+}  // namespace gnomon

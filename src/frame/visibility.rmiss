@@ -1,0 +1,7 @@
+// Nothing was hit: the light arrives.
+#version 460
+#extension GL_EXT_ray_tracing : require
+
+layout(location = 0) rayPayloadInEXT uint visible;
+
+void main() { visible = 1u; }
