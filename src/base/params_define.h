@@ -20,7 +20,7 @@ enum : uint32_t {
 };
 
 struct Params {
-#define PARAM_FLOAT(name, value, lo, hi, update, help) float name = value;
+#define PARAM_FLOAT(name, value, lo, hi, update, help) float name = static_cast<float>(value);
 #define PARAM_INT(name, value, lo, hi, update, help) int32_t name = value;
 #define PARAM_BOOL(name, value, update, help) uint32_t name = value;
 #define PARAM_CHOICE2(name, a, b, value, update, help) uint32_t name = name##_##value;
