@@ -132,14 +132,14 @@ void add_gate_wall(Scene& scene, const CourtyardMaterials& materials) {
   wall.segments = 16;
   MeshPart plaster = part_of(materials.plaster), trim = part_of(materials.limestone);
   add_arcade(plaster, wall, 0.4f);
-  Arcade frame = wall;  // a stone frame around the opening, proud of the plaster
-  frame.span = 1.98f, frame.top = 3.62f, frame.thickness = 0.66f;
+  Arcade frame = wall;  // a stone frame around the opening, proud of the plaster on all sides
+  frame.opening = 1.44f, frame.span = 1.98f, frame.top = 3.62f, frame.thickness = 0.66f;
   MeshPart arch;
   add_arcade(arch, frame, 0.8f);
   append(trim, arch, translation({0.5f * (wall.span - frame.span), 0, 0.08f}));
   add_box(trim, {-3.45f, 4.7f, -0.62f}, {11.7f, 4.86f, 0.12f}, 0.7f);  // coping
-  add_box(trim, {-3.38f, -0.3f, 0.0f}, {2.9f, 0.35f, 0.06f}, 0.7f);    // skirting on both sides of the stairs
-  add_box(trim, {5.35f, -0.3f, 0.0f}, {11.6f, 0.35f, 0.06f}, 0.7f);
+  add_box(trim, {-3.38f, -0.3f, 0.0f}, {2.87f, 0.35f, 0.06f}, 0.7f);    // skirting on both sides of the stairs
+  add_box(trim, {5.38f, -0.3f, 0.0f}, {11.6f, 0.35f, 0.06f}, 0.7f);
   // x of the wall runs along +Z, its front looks to -X.
   const mat4 turn = mat4(vec4(0, 0, 1, 0), vec4(0, 1, 0, 0), vec4(-1, 0, 0, 0), vec4(7, 0, -3.2f, 1));
   add_object(scene, "gate_wall", add_mesh(scene, "gate_wall", {plaster, trim}), turn);
@@ -195,7 +195,7 @@ void add_tower(Scene& scene, const CourtyardMaterials& materials) {
   add_box(iron, {-0.02f, 7.8f, -0.02f}, {0.02f, 8.3f, 0.02f}, 1.0f);
   add_box(iron, {-0.02f, 9.5f, -0.02f}, {0.02f, 10.3f, 0.02f}, 1.0f);
   add_box(iron, {-0.2f, 9.95f, -0.018f}, {0.2f, 9.99f, 0.018f}, 1.0f);
-  add_object(scene, "tower", add_mesh(scene, "tower", {stone, trim, roof, iron}), translation({-5.2f, 0, -11.0f}));
+  add_object(scene, "tower", add_mesh(scene, "tower", {stone, trim, roof, iron}), translation({-4.3f, 0, -11.4f}));
 }
 
 // Closes the view to the north behind the colonnade.

@@ -28,9 +28,10 @@ void add_post(MeshPart& part, const vec3& foot, float height) {
 void add_fence(Scene& scene, const CourtyardMaterials& materials) {
   MeshPart kerb = part_of(materials.limestone), panels = part_of(materials.iron_panel), iron = part_of(materials.iron);
   constexpr float k_kerb = 0.22f;
-  const std::vector<vec3> corners = {{-6.9f, k_kerb, 2.2f}, {-5.3f, k_kerb, 2.2f}, {-3.7f, k_kerb, 2.2f}, {-2.1f, k_kerb, 2.2f}, {-2.1f, k_kerb, 0.6f}, {-2.1f, k_kerb, -1.0f}};
-  add_box(kerb, {-7.0f, -0.3f, 2.05f}, {-1.95f, k_kerb, 2.35f}, 0.7f);
-  add_box(kerb, {-2.25f, -0.3f, -1.15f}, {-1.95f, k_kerb, 2.05f}, 0.7f);
+  const std::vector<vec3> corners = {{-7.7f, k_kerb, 2.2f}, {-6.1f, k_kerb, 2.2f}, {-4.5f, k_kerb, 2.2f},
+                                     {-2.9f, k_kerb, 2.2f}, {-2.9f, k_kerb, 0.6f}, {-2.9f, k_kerb, -1.0f}};
+  add_box(kerb, {-7.85f, -0.3f, 2.05f}, {-2.75f, k_kerb, 2.35f}, 0.7f);
+  add_box(kerb, {-3.05f, -0.3f, -1.15f}, {-2.75f, k_kerb, 2.05f}, 0.7f);
   float u = 0.0f;
   for (size_t i = 0; i + 1 < corners.size(); ++i) add_panel(panels, corners[i], corners[i + 1], u);
   for (const vec3& corner : corners) add_post(iron, corner, 1.5f);
@@ -51,7 +52,7 @@ void add_ball(Scene& scene, const CourtyardMaterials& materials) {
   MeshPart stone = part_of(materials.limestone);
   constexpr float k_radius = 0.36f;
   add_sphere(stone, {0, k_radius - 0.004f, 0}, k_radius, 28, 14, {2.0f, 1.0f});
-  add_object(scene, "ball", add_mesh(scene, "ball", {stone}), translation(on_ground(1.0f, 6.1f)));
+  add_object(scene, "ball", add_mesh(scene, "ball", {stone}), translation(on_ground(0.75f, 6.0f)));
 }
 
 // The plank leans on the crate at thirteen degrees: contact at a shallow angle.
@@ -62,7 +63,7 @@ void add_crate_and_plank(Scene& scene, const CourtyardMaterials& materials) {
   for (const float s : {-1.0f, 1.0f}) {
     for (const float y : {0.0f, 0.19f, 0.38f}) {  // boards on four sides
       add_box(crate, {-k_half, y, s * k_half - 0.02f}, {k_half, y + 0.12f, s * k_half + 0.02f}, 1.3f);
-      add_box(crate, {s * k_half - 0.02f, y, -k_half}, {s * k_half + 0.02f, y + 0.12f, k_half}, 1.3f);
+      add_box(crate, {s * k_half - 0.02f, y, -k_half + 0.02f}, {s * k_half + 0.02f, y + 0.12f, k_half - 0.02f}, 1.3f);
     }
   }
   const mat4 turn = rotation({0, 1, 0}, radians_of(24.0));
@@ -70,8 +71,9 @@ void add_crate_and_plank(Scene& scene, const CourtyardMaterials& materials) {
   add_object(scene, "crate", add_mesh(scene, "crate", {crate}), translation(crate_foot) * turn);
   MeshPart plank = part_of(materials.wood);
   add_box(plank, {0.0f, 0.0f, -0.13f}, {k_length, k_board, 0.13f}, 0.9f);
-  // From the ground on the east up to the crate's rim and a little beyond.
-  const vec3 rim = crate_foot + vec3(0.1f, k_height - 0.018f, 0.0f), foot = on_ground(3.25f, 4.75f);
+  // From the ground in the east up to the crate's rim and a little beyond.
+  const vec3 foot = on_ground(3.25f, 4.75f);
+  const vec3 rim = crate_foot + vec3(0, k_height, 0) + 0.28f * glm::normalize(vec3(foot.x - crate_foot.x, 0, foot.z - crate_foot.z));
   const vec3 along = glm::normalize(rim - foot), side = glm::normalize(glm::cross(along, vec3(0, 1, 0)));
   const mat4 lean(vec4(along, 0), vec4(glm::cross(side, along), 0), vec4(side, 0), vec4(foot, 1));
   add_object(scene, "plank", add_mesh(scene, "plank", {plank}), lean);

@@ -52,7 +52,7 @@ void add_olive_tree(Scene& scene, const CourtyardMaterials& materials) {
     add_tube(bark, branch.path, branch.radii, 6, 1.5f);
     add_foliage(leaves, branch.path.back(), branch.crown, branch.cards, 0.52f, 0.3f, random);
   }
-  add_object(scene, "olive_tree", add_mesh(scene, "olive_tree", {bark, leaves}), translation({-4.3f, 0, 0.1f}) * rotation({0, 1, 0}, radians_of(20.0)));
+  add_object(scene, "olive_tree", add_mesh(scene, "olive_tree", {bark, leaves}), translation({-5.7f, 0, -0.2f}) * rotation({0, 1, 0}, radians_of(20.0)));
 }
 
 void add_cypresses(Scene& scene, const CourtyardMaterials& materials) {

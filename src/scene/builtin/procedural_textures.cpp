@@ -143,7 +143,7 @@ SurfaceTexture limestone_texture(int size) {
     const float cloud = tiling_fractal(u, v, ivec2(3), 5, 400), fine = tiling_fractal(u, v, ivec2(40), 3, 410);
     const float pit = smooth_step(0.74f, 0.86f, tiling_fractal(u, v, ivec2(48), 2, 420));
     const vec3 colour = glm::mix(vec3(0.76f, 0.68f, 0.56f), vec3(0.92f, 0.86f, 0.74f), std::clamp(1.6f * cloud - 0.3f, 0.0f, 1.0f));
-    return {colour * (0.95f + 0.10f * (fine - 0.5f)) * (1.0f - 0.25f * pit), 2.5f * fine - 4.0f * pit + 4.0f * cloud};
+    return {colour * (0.95f + 0.10f * (fine - 0.5f)) * (1.0f - 0.14f * pit), 2.5f * fine - 4.0f * pit + 4.0f * cloud};
   });
 }
 
