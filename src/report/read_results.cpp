@@ -20,49 +20,68 @@ struct Field {
 };
 
 constexpr Field k_required[] = {
-    {"/technique", Kind::text}, {"/status", Kind::text}, {"/command", Kind::text},
-    {"/scene/name", Kind::text}, {"/size", Kind::array}, {"/samples", Kind::number},
+    {"/technique", Kind::text},  {"/status", Kind::text}, {"/command", Kind::text},
+    {"/scene/name", Kind::text}, {"/size", Kind::array},  {"/samples", Kind::number},
 };
 
 constexpr Field k_optional[] = {
-    {"/gnomon", Kind::object}, {"/gnomon/version", Kind::text}, {"/gnomon/commit", Kind::text},
-    {"/scene/triangles", Kind::number}, {"/camera", Kind::object}, {"/camera/name", Kind::text}, {"/lights", Kind::array},
-    {"/device", Kind::object}, {"/device/name", Kind::text}, {"/device/driver", Kind::text},
-    {"/settings", Kind::object}, {"/reason", Kind::text}, {"/visibility", Kind::object}, {"/artefacts", Kind::object},
-    {"/image", Kind::object}, {"/image/psnr", Kind::number}, {"/image/rmse", Kind::number}, {"/timing", Kind::object},
-    {"/timing/frame_ms", Kind::number}, {"/timing/sum_of_passes_ms", Kind::number}, {"/passes", Kind::array},
-    {"/gpu_ms", Kind::object}, {"/gpu_ms/build", Kind::number}, {"/gpu_ms/resolve", Kind::number},
-    {"/gpu_ms/total", Kind::number}, {"/memory_bytes", Kind::number}, {"/reference", Kind::object},
-    {"/images", Kind::object},
+    {"/gnomon", Kind::object},          {"/gnomon/version", Kind::text},
+    {"/gnomon/commit", Kind::text},     {"/scene/triangles", Kind::number},
+    {"/camera", Kind::object},          {"/camera/name", Kind::text},
+    {"/lights", Kind::array},           {"/device", Kind::object},
+    {"/device/name", Kind::text},       {"/device/driver", Kind::text},
+    {"/settings", Kind::object},        {"/reason", Kind::text},
+    {"/visibility", Kind::object},      {"/artefacts", Kind::object},
+    {"/image", Kind::object},           {"/image/psnr", Kind::number},
+    {"/image/rmse", Kind::number},      {"/timing", Kind::object},
+    {"/timing/frame_ms", Kind::number}, {"/timing/sum_of_passes_ms", Kind::number},
+    {"/passes", Kind::array},           {"/gpu_ms", Kind::object},
+    {"/gpu_ms/build", Kind::number},    {"/gpu_ms/resolve", Kind::number},
+    {"/gpu_ms/total", Kind::number},    {"/memory_bytes", Kind::number},
+    {"/reference", Kind::object},       {"/images", Kind::object},
 };
 
 constexpr Field k_of_visibility[] = {
-    {"/mae", Kind::number}, {"/rmse", Kind::number}, {"/bias", Kind::number},
-    {"/false_shadow", Kind::object}, {"/false_shadow/area", Kind::number}, {"/false_shadow/severity", Kind::number},
-    {"/false_light", Kind::object}, {"/false_light/area", Kind::number}, {"/false_light/severity", Kind::number},
+    {"/mae", Kind::number},
+    {"/rmse", Kind::number},
+    {"/bias", Kind::number},
+    {"/false_shadow", Kind::object},
+    {"/false_shadow/area", Kind::number},
+    {"/false_shadow/severity", Kind::number},
+    {"/false_light", Kind::object},
+    {"/false_light/area", Kind::number},
+    {"/false_light/severity", Kind::number},
 };
 
 constexpr Field k_of_pass[] = {
-    {"/stage", Kind::text}, {"/median_ms", Kind::number}, {"/p95_ms", Kind::number}, {"/mad_ms", Kind::number},
+    {"/stage", Kind::text},   {"/median_ms", Kind::number},  {"/p95_ms", Kind::number},    {"/mad_ms", Kind::number},
     {"/draws", Kind::number}, {"/dispatches", Kind::number}, {"/triangles", Kind::number},
 };
 
 const char* name_of(Kind kind) {
   switch (kind) {
-    case Kind::number: return "a number";
-    case Kind::text: return "a string";
-    case Kind::object: return "an object";
-    case Kind::array: return "an array";
+    case Kind::number:
+      return "a number";
+    case Kind::text:
+      return "a string";
+    case Kind::object:
+      return "an object";
+    case Kind::array:
+      return "an array";
   }
   return "";
 }
 
 bool is(const json& value, Kind kind) {
   switch (kind) {
-    case Kind::number: return value.is_number();
-    case Kind::text: return value.is_string();
-    case Kind::object: return value.is_object();
-    case Kind::array: return value.is_array();
+    case Kind::number:
+      return value.is_number();
+    case Kind::text:
+      return value.is_string();
+    case Kind::object:
+      return value.is_object();
+    case Kind::array:
+      return value.is_array();
   }
   return false;
 }

@@ -1,4 +1,5 @@
-// The page: template, style, scripts and Chart.js from the binary, results and pictures as data; nothing is loaded from outside.
+// The page: template, style, scripts and Chart.js from the binary, results and pictures as data; nothing is loaded from
+// outside.
 #include <algorithm>
 
 #include "base/error.h"
@@ -58,7 +59,8 @@ std::string page_title(const ResultSet& set) {
 void write_report(std::span<const std::filesystem::path> folders, const std::filesystem::path& output) {
   const ResultSet set = read_result_folders(folders);
   const json data = page_data(set, group_results(set.lines));
-  const std::string title = escape_html(page_title(set)), table = escape_html(text_table(set.lines)), embedded = script_json(data);
+  const std::string title = escape_html(page_title(set)), table = escape_html(text_table(set.lines)),
+                    embedded = script_json(data);
   const std::string page = fill_template(report_page_html(), {{"title", title},
                                                               {"css", report_page_css()},
                                                               {"table", table},

@@ -1,7 +1,6 @@
 // Results in, table, CSV and page out: alignment, escaping, pictures once, and what is refused with file and line.
 #include "report/report.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -18,19 +17,18 @@ namespace gnomon {
 namespace {
 
 using nlohmann::json;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
 
 json minimal(const std::string& technique) {
-  return {{"technique", technique}, {"status", "ok"}, {"command", "gnomon compare box -o out"},
+  return {{"technique", technique},     {"status", "ok"},   {"command", "gnomon compare box -o out"},
           {"scene", {{"name", "box"}}}, {"size", {64, 48}}, {"samples", 1}};
 }
 
 json measured(const std::string& technique, double mae, double total) {
   json line = minimal(technique);
   line["settings"] = {{"single", {{"size", 2048}}}};
-  line["visibility"]["hard"] = {{"mae", mae}, {"rmse", 2 * mae}, {"false_shadow", {{"area", 0.004}, {"severity", 0.8}}},
+  line["visibility"]["hard"] = {{"mae", mae},
+                                {"rmse", 2 * mae},
+                                {"false_shadow", {{"area", 0.004}, {"severity", 0.8}}},
                                 {"false_light", {{"area", 0.1}, {"severity", 0.7}}}};
   line["gpu_ms"] = {{"build", 0.75 * total}, {"resolve", 0.25 * total}, {"total", total}};
   line["memory_bytes"] = 16777216;
@@ -52,6 +50,22 @@ std::vector<std::string> lines_of(const std::string& text) {
     begin = end + 1;
   }
   return lines;
+}
+
+template <class... Parts>
+testing::AssertionResult has(const std::string& text, const Parts&... parts) {
+  for (const std::string_view part : {std::string_view(parts)...}) {
+    if (text.find(part) == text.npos) return testing::AssertionFailure() << "no '" << part << "' in: " << text.substr(0, 2000);
+  }
+  return testing::AssertionSuccess();
+}
+
+template <class... Parts>
+testing::AssertionResult has_none(const std::string& text, const Parts&... parts) {
+  for (const std::string_view part : {std::string_view(parts)...}) {
+    if (text.find(part) != text.npos) return testing::AssertionFailure() << "'" << part << "' in: " << text.substr(0, 2000);
+  }
+  return testing::AssertionSuccess();
 }
 
 size_t count_of(const std::string& text, const std::string& part) {
@@ -125,8 +139,8 @@ TEST(TextTable, ShowsAnAreaColumnWhereThereIsOne) {
   std::vector<json> results = {measured("single/pcf", 0.01, 0.6), measured("single/vsm", 0.02, 0.6)};
   results[1]["visibility"]["area"] = {{"mae", 0.0042}};
   const auto lines = lines_of(text_table(results));
-  EXPECT_THAT(lines[0], HasSubstr("area mae"));
-  EXPECT_THAT(lines[2], HasSubstr("0.0042"));
+  EXPECT_TRUE(has(lines[0], "area mae"));
+  EXPECT_TRUE(has(lines[2], "0.0042"));
 }
 
 TEST(TextTable, DashesForWhatWasNotMeasuredAndReasonsForWhatCannotRun) {
@@ -134,21 +148,23 @@ TEST(TextTable, DashesForWhatWasNotMeasuredAndReasonsForWhatCannotRun) {
   results[0]["visibility"] = {{"hard", {{"mae", nullptr}}}};
   const auto lines = lines_of(text_table(results));
   ASSERT_EQ(lines.size(), 4u);
-  EXPECT_THAT(lines[1], AllOf(HasSubstr("single/hard"), HasSubstr("-"), Not(HasSubstr("nan")), Not(HasSubstr("null"))));
+  EXPECT_TRUE(has(lines[1], "single/hard", "-"));
+  EXPECT_TRUE(has_none(lines[1], "nan", "null"));
   EXPECT_EQ(lines[2], "ray_traced   unavailable: no ray tracing");
   EXPECT_EQ(lines[3], "volumes      unavailable: no reason given");
 }
 
 TEST(TextTable, GroupsScenesAndNamesTheSettingsThatDiffer) {
-  std::vector<json> results = {measured("single/pcf", 0.01, 1), measured("single/pcf", 0.02, 1), measured("single/hard", 0.03, 1)};
+  std::vector<json> results = {measured("single/pcf", 0.01, 1), measured("single/pcf", 0.02, 1),
+                               measured("single/hard", 0.03, 1)};
   results[1]["settings"]["single"]["size"] = 512;
   json other = measured("single/pcf", 0.04, 1);
   other["scene"]["name"] = "courtyard";
   results.push_back(other);
   const std::string text = text_table(results);
-  EXPECT_THAT(text, AllOf(HasSubstr("\nbox, 64 × 48, 1 sample\n"), HasSubstr("\ncourtyard, 64 × 48, 1 sample\n")));
-  EXPECT_THAT(text, AllOf(HasSubstr("\nsingle/pcf single.size=2048  "), HasSubstr("\nsingle/pcf single.size=512   ")));
-  EXPECT_THAT(text, HasSubstr("\nsingle/hard                  "));
+  EXPECT_TRUE(has(text, "\nbox, 64 × 48, 1 sample\n", "\ncourtyard, 64 × 48, 1 sample\n"));
+  EXPECT_TRUE(has(text, "\nsingle/pcf single.size=2048  ", "\nsingle/pcf single.size=512   "));
+  EXPECT_TRUE(has(text, "\nsingle/hard                  "));
 }
 
 TEST(TextTable, ControlCharactersDoNotReachTheTerminal) {
@@ -164,7 +180,7 @@ TEST(Groups, RowsOfOneTechniqueAndSettingsAreNumbered) {
   const std::vector<json> results = {measured("a", 1, 1), measured("a", 2, 1)};
   const auto groups = group_results(results);
   ASSERT_EQ(groups.size(), 1u);
-  EXPECT_THAT(groups[0].labels, testing::ElementsAre("a", "a (2)"));
+  EXPECT_EQ(groups[0].labels, (std::vector<std::string>{"a", "a (2)"}));
 }
 
 TEST(Groups, LightsOfOneNameThatDifferAreNotMixed) {
@@ -204,24 +220,25 @@ TEST_F(Report, ReadsWhatAMeasuringRunWrites) {
 }
 
 TEST_F(Report, RefusesAMissingFileAndAnEmptyOne) {
-  EXPECT_THAT(refusal(), HasSubstr("results.jsonl"));
+  EXPECT_TRUE(has(refusal(), "results.jsonl"));
   write_file(folder_ / "results.jsonl", std::string_view("\n"));
-  EXPECT_THAT(refusal(), HasSubstr("holds no results"));
+  EXPECT_TRUE(has(refusal(), "holds no results"));
   EXPECT_THROW(write_report({}, folder_ / "report.html"), Error);
 }
 
 TEST_F(Report, NamesTheLineThatIsNotJson) {
   write_file(folder_ / "results.jsonl", minimal("a").dump() + "\n{\"technique\": \n" + minimal("b").dump() + "\n");
-  EXPECT_THAT(refusal(), AllOf(HasSubstr("results.jsonl:2: not JSON"), Not(HasSubstr("exception"))));
+  EXPECT_TRUE(has(refusal(), "results.jsonl:2: not JSON"));
+  EXPECT_TRUE(has_none(refusal(), "exception"));
   write_file(folder_ / "results.jsonl", std::string_view("[1, 2]\n"));
-  EXPECT_THAT(refusal(), HasSubstr("results.jsonl:1: not a result"));
+  EXPECT_TRUE(has(refusal(), "results.jsonl:1: not a result"));
 }
 
 TEST_F(Report, SaysThatTheLastLineIsCutOff) {
   const std::string whole = minimal("a").dump();
   for (size_t length = 1; length < whole.size(); ++length) {
     write_file(folder_ / "results.jsonl", whole + "\n" + whole.substr(0, length));
-    ASSERT_THAT(refusal(), HasSubstr("results.jsonl:2: the last line is cut off")) << length;
+    ASSERT_TRUE(has(refusal(), "results.jsonl:2: the last line is cut off")) << length;
   }
   write_file(folder_ / "results.jsonl", whole + "\n" + whole);  // whole, only without its newline
   EXPECT_EQ(refusal(), "accepted");
@@ -229,7 +246,7 @@ TEST_F(Report, SaysThatTheLastLineIsCutOff) {
 
 TEST_F(Report, NamesTheKeyThatMattersAndIsMissing) {
   for (const char* key : {"technique", "status", "command", "scene", "size", "samples"}) {
-    EXPECT_THAT(refusal_of([&](json& line) { line.erase(key); }), AllOf(HasSubstr("results.jsonl:2:"), HasSubstr(key))) << key;
+    EXPECT_TRUE(has(refusal_of([&](json& line) { line.erase(key); }), "results.jsonl:2:", key)) << key;
   }
 }
 
@@ -237,26 +254,28 @@ TEST_F(Report, NamesTheKeyWhoseValueIsOfNoUse) {
   const auto set = [this](const char* pointer, const json& value) {
     return refusal_of([&](json& line) { line[json::json_pointer(pointer)] = value; });
   };
-  EXPECT_THAT(set("/visibility/hard/mae", "small"), AllOf(HasSubstr("'visibility.hard.mae'"), HasSubstr("valid: a number")));
-  EXPECT_THAT(set("/gpu_ms", 1), HasSubstr("'gpu_ms' is 1; valid: an object"));
-  EXPECT_THAT(set("/status", "fine"), HasSubstr("valid: ok, unavailable"));
-  EXPECT_THAT(set("/size", {64}), HasSubstr("'size'"));
-  EXPECT_THAT(set("/size", {0, 64}), HasSubstr("'size'"));
-  EXPECT_THAT(set("/samples", 0), HasSubstr("'samples'"));
-  EXPECT_THAT(set("/passes", json::array({{{"median_ms", 1}}})), HasSubstr("'passes.0' has no name"));
-  EXPECT_THAT(set("/passes", json::array({{{"name", "a"}, {"median_ms", "x"}}})), HasSubstr("'passes.0.median_ms'"));
+  EXPECT_TRUE(has(set("/visibility/hard/mae", "small"), "'visibility.hard.mae'", "valid: a number"));
+  EXPECT_TRUE(has(set("/gpu_ms", 1), "'gpu_ms' is 1; valid: an object"));
+  EXPECT_TRUE(has(set("/status", "fine"), "valid: ok, unavailable"));
+  EXPECT_TRUE(has(set("/size", {64}), "'size'"));
+  EXPECT_TRUE(has(set("/size", {0, 64}), "'size'"));
+  EXPECT_TRUE(has(set("/samples", 0), "'samples'"));
+  EXPECT_TRUE(has(set("/passes", json::array({{{"median_ms", 1}}})), "'passes.0' has no name"));
+  EXPECT_TRUE(has(set("/passes", json::array({{{"name", "a"}, {"median_ms", "x"}}})), "'passes.0.median_ms'"));
   EXPECT_EQ(set("/visibility/hard/mae", nullptr), "accepted");
   EXPECT_EQ(set("/a_key_of_a_later_version", 1), "accepted");
 }
 
 TEST_F(Report, NamesResultsAndPictureWhereOneIsMissing) {
-  EXPECT_THAT(refusal_of([](json& line) { line["images"] = {{"error", {{"hard", "images/lost.png"}}}}; }),
-              AllOf(HasSubstr("results.jsonl:2"), HasSubstr("images.error.hard"), HasSubstr("images/lost.png"), HasSubstr("missing")));
+  EXPECT_TRUE(has(refusal_of([](json& line) {
+                    line["images"] = {{"error", {{"hard", "images/lost.png"}}}};
+                  }),
+                  "results.jsonl:2", "images.error.hard", "images/lost.png", "missing"));
 }
 
 TEST_F(Report, TakesNoPicturesFromOutsideItsFolder) {
   for (const char* name : {"../secret.png", "images/../../secret.png", "/etc/hostname"}) {
-    EXPECT_THAT(refusal_of([&](json& line) { line["images"] = {{"shaded", name}}; }), HasSubstr("outside")) << name;
+    EXPECT_TRUE(has(refusal_of([&](json& line) { line["images"] = {{"shaded", name}}; }), "outside")) << name;
   }
 }
 
@@ -269,7 +288,7 @@ TEST_F(Report, RefusesAPictureThatIsNoPng) {
     page();
     FAIL() << "accepted";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("results.jsonl:1"), HasSubstr("a.png"), HasSubstr("not a PNG")));
+    EXPECT_TRUE(has(error.what(), "results.jsonl:1", "a.png", "not a PNG"));
   }
   EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
 }
@@ -307,7 +326,7 @@ TEST_F(Report, StringsCannotLeaveTheirPlace) {
 TEST_F(Report, IsOneFileThatLoadsNothing) {
   write_lines({measured("a", 0.01, 1)});
   const std::string text = page();
-  EXPECT_THAT(text, AllOf(HasSubstr("default-src 'none'"), HasSubstr("Chart.js v")));
+  EXPECT_TRUE(has(text, "default-src 'none'", "Chart.js v"));
   EXPECT_EQ(count_of(text, "<script src"), 0u);
   EXPECT_EQ(count_of(text, "rel=\"stylesheet\""), 0u);
   EXPECT_EQ(text, page()) << "the same results give the same page";
@@ -320,7 +339,7 @@ TEST_F(Report, JoinsFoldersAndWritesWhereAsked) {
   write_file(second / "results.jsonl", measured("b", 0.02, 1).dump() + "\n");
   write_report(std::vector{folder_, second}, folder_ / "both.html");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
-  EXPECT_THAT(read_text_file(folder_ / "both.html"), HasSubstr("\"label\":\"b\""));
+  EXPECT_TRUE(has(read_text_file(folder_ / "both.html"), "\"label\":\"b\""));
 }
 
 TEST_F(Report, CsvQuotesAndKeepsFullPrecision) {
@@ -332,11 +351,11 @@ TEST_F(Report, CsvQuotesAndKeepsFullPrecision) {
   write_lines({line, other});
   write_csv(std::vector{folder_}, folder_ / "results.csv");
   const std::string text = read_text_file(folder_ / "results.csv");
-  EXPECT_THAT(text, AllOf(HasSubstr("0.1234567890123,"), HasSubstr("\"gnomon compare \"\"my scene\"\", twice\""), HasSubstr("\"two\nlines\"")));
+  EXPECT_TRUE(has(text, "0.1234567890123,", "\"gnomon compare \"\"my scene\"\", twice\"", "\"two\nlines\""));
   const auto lines = lines_of(text);
-  EXPECT_THAT(lines[0], testing::EndsWith(",command,artefacts.acne,single.size,vsm.blur"));
-  EXPECT_THAT(lines[1], testing::EndsWith(",0.25,2048,"));
-  EXPECT_THAT(lines.back(), testing::EndsWith(",,,3"));
+  EXPECT_TRUE(lines[0].ends_with(",command,artefacts.acne,single.size,vsm.blur")) << lines[0];
+  EXPECT_TRUE(lines[1].ends_with(",0.25,2048,")) << lines[1];
+  EXPECT_TRUE(lines.back().ends_with(",,,3")) << lines.back();
 }
 
 }  // namespace

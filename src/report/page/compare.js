@@ -1,6 +1,7 @@
 // Two pictures over each other, divided by a line that mouse, touch and keys move; zoom to the pixel, pan, read pixel values.
 
-const view = { left: null, right: null, divide: 50, scale: 0, x: 0, y: 0 };  // scale 0: fitted; x, y: picture's corner in CSS pixels
+// scale 0: fitted; x, y: the pictures' corner in CSS pixels of the port; divide: per cent of its width.
+const view = { left: null, right: null, divide: 50, scale: 0, x: 0, y: 0 };
 const parts = {};
 const scaleSteps = [1, 2, 4, 8, 16];
 
@@ -15,17 +16,19 @@ function buildCompare() {
   parts.rightSelect = el("select", { id: "compare-right", "aria-label": "Right picture" });
   parts.left = layer("left"), parts.right = layer("right");
   parts.divider = el("div", {
-    class: "divider", id: "divider", role: "slider", tabindex: "0", "aria-label": "Divider between the two pictures", "aria-orientation": "horizontal",
-    "aria-valuemin": "0", "aria-valuemax": "100",
+    class: "divider", id: "divider", role: "slider", tabindex: "0", "aria-label": "Divider between the two pictures",
+    "aria-orientation": "horizontal", "aria-valuemin": "0", "aria-valuemax": "100",
   }, el("span", { class: "grip", "aria-hidden": "true" }));
   parts.port = el("div", { class: "port", id: "port" }, parts.left, parts.right, parts.divider);
   parts.readout = el("output", { class: "readout", "aria-live": "off" });
   parts.zooms = el("div", { class: "zooms", role: "group", "aria-label": "Zoom" }, [0, ...scaleSteps].map((scale) =>
     el("button", { type: "button", "data-scale": scale, onclick: () => zoomTo(scale) }, scale === 0 ? "Fit" : `${scale}×`)));
+  const swap = el("button", {
+    type: "button", class: "swap", title: "Swap the two pictures", "aria-label": "Swap the two pictures",
+    onclick: () => showPair(view.right, view.left),
+  }, "⇄");
   byId("compare").replaceChildren(
-    el("div", { class: "choices" }, parts.leftSelect,
-      el("button", { type: "button", class: "swap", title: "Swap the two pictures", "aria-label": "Swap the two pictures", onclick: () => showPair(view.right, view.left) }, "⇄"),
-      parts.rightSelect),
+    el("div", { class: "choices" }, parts.leftSelect, swap, parts.rightSelect),
     parts.port, el("div", { class: "under" }, parts.zooms, parts.readout));
   parts.leftSelect.addEventListener("change", () => showPair(Number(parts.leftSelect.value), view.right));
   parts.rightSelect.addEventListener("change", () => showPair(view.left, Number(parts.rightSelect.value)));
@@ -37,10 +40,9 @@ function buildCompare() {
 function renderCompare() {
   const { references, own } = groupPictures();
   if (references.length === 0 && own.length === 0) return;
-  const option = (picture, name) => ({ label: `${name}: ${picture.label}`, value: String(picture.index) });
-  const entries = [];
-  if (references.length) entries.push({ label: "Reference", options: references.map(({ picture }) => ({ label: picture.label, value: String(picture.index) })) });
-  for (const row of own) entries.push({ label: row.label, options: row.own.map((picture) => option(picture, row.label)) });
+  const option = (picture, name) => ({ label: name ? `${name}: ${picture.label}` : picture.label, value: String(picture.index) });
+  const entries = own.map((row) => ({ label: row.label, options: row.own.map((picture) => option(picture, row.label)) }));
+  if (references.length) entries.unshift({ label: "Reference", options: references.map(({ picture }) => option(picture)) });
   for (const select of [parts.leftSelect, parts.rightSelect]) fillSelect(select, entries, "");
   parts.port.style.setProperty("--aspect", pictureSize()[0] / pictureSize()[1]);
   const row = own[0];
@@ -112,8 +114,14 @@ function onDividerKey(event) {
 function listenToPointers() {
   const { port, divider } = parts, pointers = new Map();
   let dragsDivider = false, pinch = null;
-  const spot = (event) => { const box = port.getBoundingClientRect(); return { x: event.clientX - box.left, y: event.clientY - box.top }; };
-  const spread = () => { const [a, b] = [...pointers.values()]; return { distance: Math.hypot(a.x - b.x, a.y - b.y), x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }; };
+  const spot = (event) => {
+    const box = port.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  };
+  const spread = () => {
+    const [a, b] = [...pointers.values()];
+    return { distance: Math.hypot(a.x - b.x, a.y - b.y), x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+  };
 
   port.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;

@@ -19,18 +19,20 @@ async function copyText(text, button) {
 }
 
 function commandBlock(command) {
-  const button = el("button", { type: "button", class: "copy", "aria-live": "polite", onclick: () => copyText(command, button) }, "Copy");
+  const copy = () => copyText(command, button);
+  const button = el("button", { type: "button", class: "copy", "aria-live": "polite", onclick: copy }, "Copy");
   // Words stay whole where a line ends: a break inside "--size" would read as a space.
   const words = command.split(/( +)/).map((word) => (word.trim() ? el("span", { class: "word" }, word) : word));
   return el("div", { class: "command" }, el("code", {}, words), button);
 }
 
 function passesTable(row) {
-  const head = [["pass", 0], ["stage", 0], ["median ms", 1], ["p95 ms", 1], ["MAD ms", 1], ["draws", 1], ["dispatches", 1], ["triangles", 1]];
+  const figures = ["median ms", "p95 ms", "MAD ms", "draws", "dispatches", "triangles"];
+  const head = (text, isNumber) => el("th", { scope: "col", class: isNumber ? "number" : null }, text);
   const cells = (pass) => [formatMs(pass.median_ms), formatMs(pass.p95_ms), formatMs(pass.mad_ms),
     formatCount(pass.draws), formatCount(pass.dispatches), formatCount(pass.triangles)];
   return el("div", { class: "inner-scroller" }, el("table", { class: "passes" },
-    el("thead", {}, el("tr", {}, head.map(([text, number]) => el("th", { scope: "col", class: number ? "number" : null }, text)))),
+    el("thead", {}, el("tr", {}, head("pass"), head("stage"), figures.map((text) => head(text, true)))),
     el("tbody", {}, row.passes.map((pass) => el("tr", {},
       el("th", { scope: "row" }, pass.name),
       el("td", {}, el("i", { class: `dot ${stageNames.includes(pass.stage) ? pass.stage : ""}` }), pass.stage ?? dash),
@@ -62,21 +64,26 @@ function timingList(timing = {}) {
 }
 
 function referenceList(reference = {}) {
+  const rank = ([kind]) => Object.keys(kinds).indexOf(kind);
+  const text = ({ kind, samples, confidence }) => [
+    kind, isNumber(samples) ? plural(samples, "sample") : null,
+    isNumber(confidence) && confidence > 0 ? `mae ± ${confidence.toPrecision(2)} (95 %)` : null,
+  ].filter(Boolean).join(", ");
   return definitionList(Object.entries(reference ?? {}).filter(([, value]) => value && typeof value === "object")
-    .sort(([a], [b]) => Object.keys(kinds).indexOf(a) - Object.keys(kinds).indexOf(b)).map(([kind, value]) => [
-    kinds[kind]?.label ?? kind,
-    [value.kind, isNumber(value.samples) ? plural(value.samples, "sample") : null,
-      isNumber(value.confidence) && value.confidence > 0 ? `mae ± ${value.confidence.toPrecision(2)} (95 %)` : null].filter(Boolean).join(", "),
-  ]));
+    .sort((a, b) => rank(a) - rank(b)).map(([kind, value]) => [kinds[kind]?.label ?? kind, text(value)]));
 }
 
 function errorsTable(row) {
   const present = Object.keys(kinds).filter((kind) => row[kind]);
   if (present.length === 0) return null;
   const lines = [
-    ["mean absolute error", (v) => formatError(v.mae)], ["RMS error", (v) => formatError(v.rmse)], ["bias", (v) => formatSigned(v.bias)],
-    ["false shadow, area", (v) => withUnit(formatPercent(v.false_shadow?.area), "%")], ["false shadow, severity", (v) => formatShare(v.false_shadow?.severity)],
-    ["false light, area", (v) => withUnit(formatPercent(v.false_light?.area), "%")], ["false light, severity", (v) => formatShare(v.false_light?.severity)],
+    ["mean absolute error", (v) => formatError(v.mae)],
+    ["RMS error", (v) => formatError(v.rmse)],
+    ["bias", (v) => formatSigned(v.bias)],
+    ["false shadow, area", (v) => withUnit(formatPercent(v.false_shadow?.area), "%")],
+    ["false shadow, severity", (v) => formatShare(v.false_shadow?.severity)],
+    ["false light, area", (v) => withUnit(formatPercent(v.false_light?.area), "%")],
+    ["false light, severity", (v) => formatShare(v.false_light?.severity)],
     ["receivers", (v) => formatCount(v.receivers)],
   ];
   return el("table", { class: "errors" },

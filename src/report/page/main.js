@@ -3,6 +3,8 @@
 function renderGroup() {
   const present = kindsOf(state.group);
   if (!present.includes(state.kind)) state.kind = present[0] ?? "hard";
+  // A run that only measured time has no errors to sort by.
+  if (present.length === 0 && state.sort.key === "mae_hard") state.sort = { key: "total", ascending: true };
   state.expanded.clear();
   renderFacts();
   renderKindSwitch((kind) => { state.kind = kind; renderKind(); renderGallery(); });

@@ -24,7 +24,8 @@ function flattenPictures(images, prefix = "") {
   const pictures = [];
   for (const [key, value] of Object.entries(images ?? {})) {
     const name = prefix + key;
-    if (Number.isInteger(value)) pictures.push({ key: name, label: pictureNames[name] ?? name.replaceAll(".", " "), index: value });
+    const label = pictureNames[name] ?? name.replaceAll(".", " ");
+    if (Number.isInteger(value)) pictures.push({ key: name, label, index: value });
     else if (value && typeof value === "object") pictures.push(...flattenPictures(value, name + "."));
   }
   return pictures;
@@ -57,13 +58,21 @@ function makeRow(raw, index) {
 
 const groups = data.groups.map((group) => ({ title: group.title, rows: group.rows.map(makeRow) }));
 
+const percent = (share) => (isNumber(share) ? 100 * share : null);
+const percentText = (value) => withUnit(formatPercent(value / 100), "%");
+
 const metrics = {
   mae: { label: "mean absolute error", axis: "mean absolute error", value: (v) => v?.mae, text: formatError },
   rmse: { label: "RMS error", axis: "RMS error", value: (v) => v?.rmse, text: formatError },
-  false_shadow: { label: "false shadow, area", axis: "false shadow, % of receivers", value: (v) => scaled(v?.false_shadow?.area), text: (v) => v.toFixed(2) },
-  false_light: { label: "false light, area", axis: "false light, % of receivers", value: (v) => scaled(v?.false_light?.area), text: (v) => v.toFixed(2) },
+  false_shadow: {
+    label: "false shadow, area", axis: "false shadow, % of receivers",
+    value: (v) => percent(v?.false_shadow?.area), text: percentText,
+  },
+  false_light: {
+    label: "false light, area", axis: "false light, % of receivers",
+    value: (v) => percent(v?.false_light?.area), text: percentText,
+  },
 };
-const scaled = (share) => (isNumber(share) ? 100 * share : null);
 
 const state = {
   group: groups[0],

@@ -44,7 +44,8 @@ function renderGallery() {
   }
   for (const row of own) {
     const mae = row[state.kind]?.mae, [technique, settings] = labelParts(row);
-    sections.push(line(technique, [settings, isNumber(mae) && `mae ${formatError(mae)}`], row.own.map((picture) => thumbnail(row, picture, row.label))));
+    const thumbnails = row.own.map((picture) => thumbnail(row, picture, row.label));
+    sections.push(line(technique, [settings, isNumber(mae) && `mae ${formatError(mae)}`], thumbnails));
   }
   byId("gallery").replaceChildren(...sections);
   byId("gallery-section").hidden = byId("compare-section").hidden = sections.length === 0;

@@ -2,24 +2,25 @@
 
 // group: heading above several columns; value: what is sorted by; text: what is shown; bar: its share of the column's largest.
 function tableColumns() {
-  const kind = state.kind, hasArea = kindsOf(state.group).includes("area");
-  const of = (value) => (row) => value(row[kind] ?? {});
-  return [
-    { key: "technique", label: "Technique", isText: true, value: (row) => row.label },
-    { key: "status", label: "Status", isText: true, value: (row) => row.raw.status },
-    { key: "mae_hard", group: "Mean abs. error", label: "hard", value: (row) => row.hard?.mae, text: formatError },
-    hasArea && { key: "mae_area", group: "Mean abs. error", label: "area", value: (row) => row.area?.mae, text: formatError },
-    { key: "false_shadow", group: "False shadow", label: "area %", value: of((v) => v.false_shadow?.area), text: formatPercent, bar: "shadow" },
-    { key: "false_shadow_severity", group: "False shadow", label: "severity", value: of((v) => v.false_shadow?.severity), text: formatShare },
-    { key: "false_light", group: "False light", label: "area %", value: of((v) => v.false_light?.area), text: formatPercent, bar: "light" },
-    { key: "false_light_severity", group: "False light", label: "severity", value: of((v) => v.false_light?.severity), text: formatShare },
-    { key: "rmse", label: "RMSE", value: of((v) => v.rmse), text: formatError },
-    { key: "build", group: "GPU time, ms", label: "build", value: (row) => row.gpu.build, text: formatMs },
-    { key: "resolve", group: "GPU time, ms", label: "resolve", value: (row) => row.gpu.resolve, text: formatMs },
-    { key: "total", group: "GPU time, ms", label: "total", value: (row) => row.gpu.total, text: formatMs, bar: "time" },
-    { key: "memory", label: "MiB", title: "GPU memory of the technique", value: (row) => row.memory, text: formatMiB },
-    { key: "psnr", label: "PSNR", title: "shaded picture against its reference, dB", value: (row) => row.psnr, text: formatDb },
-  ].filter(Boolean);
+  const column = (key, group, label, value, text, more) => ({ key, group, label, value, text, ...more });
+  const of = (value) => (row) => value(row[state.kind] ?? {});
+  const columns = [
+    column("technique", null, "Technique", (row) => row.label, null, { isText: true }),
+    column("status", null, "Status", (row) => row.raw.status, null, { isText: true }),
+    column("mae_hard", "Mean abs. error", "hard", (row) => row.hard?.mae, formatError),
+    column("mae_area", "Mean abs. error", "area", (row) => row.area?.mae, formatError),
+    column("false_shadow", "False shadow", "area %", of((v) => v.false_shadow?.area), formatPercent, { bar: "shadow" }),
+    column("false_shadow_severity", "False shadow", "severity", of((v) => v.false_shadow?.severity), formatShare),
+    column("false_light", "False light", "area %", of((v) => v.false_light?.area), formatPercent, { bar: "light" }),
+    column("false_light_severity", "False light", "severity", of((v) => v.false_light?.severity), formatShare),
+    column("rmse", null, "RMSE", of((v) => v.rmse), formatError),
+    column("build", "GPU time, ms", "build", (row) => row.gpu.build, formatMs),
+    column("resolve", "GPU time, ms", "resolve", (row) => row.gpu.resolve, formatMs),
+    column("total", "GPU time, ms", "total", (row) => row.gpu.total, formatMs, { bar: "time" }),
+    column("memory", null, "MiB", (row) => row.memory, formatMiB, { title: "GPU memory of the technique" }),
+    column("psnr", null, "PSNR", (row) => row.psnr, formatDb, { title: "shaded picture against its reference, dB" }),
+  ];
+  return columns.filter(({ key }) => key !== "mae_area" || kindsOf(state.group).includes("area"));
 }
 
 // What has no value stands last in both directions: it is neither small nor large.
@@ -70,14 +71,18 @@ function nameCell(row) {
     byId(`open-${row.index}`).focus();
   };
   return el("th", { scope: "row", class: "name" },
-    el("button", { type: "button", id: `open-${row.index}`, "aria-expanded": String(open), "aria-controls": `details-${row.index}`, onclick: toggle },
-      el("span", { class: "arrow", "aria-hidden": "true" }), el("span", { class: "label" }, technique, settings && el("small", {}, settings))));
+    el("button", {
+      type: "button", id: `open-${row.index}`, "aria-expanded": String(open), "aria-controls": `details-${row.index}`, onclick: toggle,
+    }, el("span", { class: "arrow", "aria-hidden": "true" }),
+    el("span", { class: "label" }, technique, settings && el("small", {}, settings))));
 }
 
 function numberCell(column, row, largest) {
   const value = column.value(row);
-  const cell = el("td", { class: "number", "data-key": column.key, "data-value": isNumber(value) ? String(value) : "", title: isNumber(value) ? null : "not measured" },
-    column.text(value));
+  const cell = el("td", {
+    class: "number", "data-key": column.key, "data-value": isNumber(value) ? String(value) : "",
+    title: isNumber(value) ? null : "not measured",
+  }, column.text(value));
   if (column.bar && isNumber(value) && largest > 0) {
     const bar = el("i", { class: `bar ${column.bar}` });
     bar.style.width = `${(100 * value) / largest}%`;
@@ -92,7 +97,8 @@ function bodyRows(row, columns, largest) {
   const cells = row.available
     ? columns.slice(2).map((column) => numberCell(column, row, largest.get(column.key)))
     : el("td", { class: "reason", colspan: columns.length - 2 }, el("span", {}, row.raw.reason || "no reason given"));
-  const line = el("tr", { class: row.available ? "row" : "row unavailable", "data-row": row.index }, nameCell(row), status, cells);
+  const name = row.available ? "row" : "row unavailable";
+  const line = el("tr", { class: name, "data-row": row.index }, nameCell(row), status, cells);
   const details = open && el("tr", { class: "details-row", id: `details-${row.index}` },
     el("td", { colspan: columns.length }, detailsOf(row)));
   return [line, details];
@@ -101,10 +107,12 @@ function bodyRows(row, columns, largest) {
 function renderTable() {
   const columns = tableColumns();
   const sortColumn = columns.find((column) => column.key === state.sort.key) ?? columns[0];
-  const largest = new Map(columns.map((column) => [column.key, Math.max(0, ...state.group.rows.map(column.value).filter(isNumber))]));
+  const largestOf = (column) => Math.max(0, ...state.group.rows.map(column.value).filter(isNumber));
+  const largest = new Map(columns.map((column) => [column.key, largestOf(column)]));
   const rows = sortedRows(sortColumn).flatMap((row) => bodyRows(row, columns, largest)).filter(Boolean);
   byId("figures").replaceChildren(
-    el("caption", { class: "offscreen" }, `Errors and costs, ${state.group.title.join(", ")}; false shadow, false light and RMSE against ${kinds[state.kind].label}`),
+    el("caption", { class: "offscreen" }, `Errors and costs, ${state.group.title.join(", ")}; ` +
+      `false shadow, false light and RMSE against ${kinds[state.kind].label}`),
     tableHead(columns), el("tbody", {}, rows));
 }
 
