@@ -39,6 +39,14 @@ Scene chart_with_floor(const std::string& name, float half_side_m, const Builtin
   return scene;
 }
 
+vec3 shadow_on_floor(const Scene& scene, const vec3& point) {
+  const vec3 direction = scene.lights.front().direction;
+  const vec2 away = vec2(direction.x, direction.z) * (point.y / -direction.y);
+  const float distance = glm::length(away), reach = 10.0f;
+  const vec2 kept = distance > reach ? away * (reach / distance) : away;
+  return {point.x + kept.x, 0.0f, point.z + kept.y};
+}
+
 bool is_floor_point(const glm::dvec3& point) { return std::abs(point.y) <= 1e-4; }
 
 }  // namespace gnomon

@@ -12,6 +12,9 @@ namespace gnomon {
 // Materials 0 (floor) and 1 (caster), the floor's object, and the sun of the options `elevation`, `azimuth` and `sun_deg`.
 Scene chart_with_floor(const std::string& name, float half_side_m, const BuiltinOptions& options);
 
+// Where the sun's centre throws the shadow of a point onto the floor, at most ten metres away: what the camera looks at.
+vec3 shadow_on_floor(const Scene& scene, const vec3& point);
+
 // Closed forms answer for floor points only: |y| up to a tenth of a millimetre and outside the caster.
 bool is_floor_point(const glm::dvec3& point);
 

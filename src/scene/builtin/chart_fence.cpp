@@ -35,7 +35,8 @@ Scene make_chart_fence(const BuiltinOptions& options) {
   const float z = 0.5f * k_width, top = gap + k_height;
   add_quad(quad, {0, gap, z}, {0, gap, -z}, {0, top, -z}, {0, top, z}, {0, 0}, {1, 1});
   add_object(scene, "fence", add_mesh(scene, "fence", {quad}));
-  scene.cameras.push_back(look_at("default", {5.5f, 4.5f + gap, 1.5f}, {1.4f + 0.5f * gap, 0.0f, 0.3f}, 45.0));
+  const vec3 shadow = shadow_on_floor(scene, {0, gap + 0.5f * k_height, 0});
+  scene.cameras.push_back(look_at("default", shadow + vec3(2.6f, 3.2f + 0.5f * gap, 1.2f), shadow, 45.0));
 
   StripsOccluder strips{{}, gap, top};
   for (int bar = 0; bar < bars; ++bar) {  // u runs along -Z

@@ -11,7 +11,8 @@ Scene make_chart_slab(const BuiltinOptions& options) {
   MeshPart slab = part_of(1);
   add_box(slab, min, max, 0.5f);
   add_object(scene, "slab", add_mesh(scene, "slab", {slab}));
-  scene.cameras.push_back(look_at("default", {5.0f, 4.5f + gap, 2.0f}, {1.0f + 0.6f * gap, 0.0f, 0.0f}, 50.0));
+  const vec3 edge = shadow_on_floor(scene, {0, max.y, 0});
+  scene.cameras.push_back(look_at("default", edge + vec3(3.2f, 3.0f + gap, 1.6f), edge + vec3(0.3f, 0, 0), 50.0));
   scene.closed_form = floor_visibility(BoxOccluder{min, max});
   return scene;
 }

@@ -12,7 +12,9 @@ Scene make_chart_sphere(const BuiltinOptions& options) {
   const vec3 centre(0.0f, r + h, 0.0f);
   add_sphere(sphere, centre, r, 512, 256, {2.0f, 1.0f});  // sagitta of a chord: 2e-5 of the radius
   add_object(scene, "sphere", add_mesh(scene, "sphere", {sphere}));
-  scene.cameras.push_back(look_at("default", {1.5f + 2.2f * r, 3.0f + 3.5f * r + h, 2.5f + 3.0f * r}, {0.6f * r + 0.4f * h, 0.0f, 0.0f}, 45.0));
+  const vec3 shadow = shadow_on_floor(scene, centre);
+  const float away = 1.2f + 2.2f * r + 0.5f * h;
+  scene.cameras.push_back(look_at("default", shadow + away * vec3(0.5f, 1.1f, 0.9f), shadow, 45.0));
   scene.closed_form = floor_visibility(SphereOccluder{centre, r});
   return scene;
 }

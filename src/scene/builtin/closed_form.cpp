@@ -19,8 +19,9 @@ double twice_sector_or_triangle(const dvec2& a, const dvec2& b, double radius) {
   const dvec2 along = b - a;
   const double aa = glm::dot(along, along);
   if (aa == 0.0) return 0.0;
-  const double half_b = glm::dot(a, along), c = glm::dot(a, a) - radius * radius;
-  const double discriminant = half_b * half_b - aa * c;
+  // The line's distance from the origin by the cross product: dot products cancel where corners are far away.
+  const double half_b = glm::dot(a, along), moment = cross2(a, along);
+  const double discriminant = aa * radius * radius - moment * moment;
   if (discriminant <= 0.0) return sector(a, b);  // the whole line misses the disc
   const double root = std::sqrt(discriminant);
   const double enter = std::clamp((-half_b - root) / aa, 0.0, 1.0), leave = std::clamp((-half_b + root) / aa, 0.0, 1.0);
@@ -47,8 +48,8 @@ std::optional<SunDisc> sun_disc(const Light& light) {
   return sun;
 }
 
-// Nothing of an occluder lies this close in front of a receiver, so the cut loses nothing.
-constexpr double k_nearest = 1e-9;
+// Metres. What is cut off lies closer to the receiver than this; corners stay within 1e6 of their distance on the sun's plane.
+constexpr double k_nearest = 1e-6;
 
 dvec2 projected(const SunDisc& sun, const dvec3& q) { return dvec2(glm::dot(q, sun.u), glm::dot(q, sun.v)) / glm::dot(q, sun.w); }
 
@@ -82,7 +83,7 @@ std::vector<dvec2> convex_hull(std::vector<dvec2> points) {
 }
 
 double visible_fraction(const SunDisc& sun, std::span<const dvec2> polygon) {
-  return 1.0 - disc_polygon_overlap(polygon, sun.radius) / (glm::pi<double>() * sun.radius * sun.radius);
+  return std::clamp(1.0 - disc_polygon_overlap(polygon, sun.radius) / (glm::pi<double>() * sun.radius * sun.radius), 0.0, 1.0);
 }
 
 bool ray_hits_box(const dvec3& origin, const dvec3& direction, const BoxOccluder& box) {

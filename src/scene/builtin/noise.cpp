@@ -24,6 +24,18 @@ double small_cosine(double x) {
          x2 * (1.0 / 479001600.0 + x2 * (-1.0 / 87178291200.0 + x2 / 20922789888000.0)))))));
 }
 
+// sin(radians + quarters * pi / 2)
+double sine_of_quarters(double radians, int64_t quarters) {
+  const double nearest = std::floor(radians / k_half_pi + 0.5);
+  const double rest = radians - nearest * k_half_pi;
+  switch ((static_cast<int64_t>(nearest) + quarters) & 3) {
+    case 0: return small_sine(rest);
+    case 1: return small_cosine(rest);
+    case 2: return -small_sine(rest);
+    default: return -small_cosine(rest);
+  }
+}
+
 // Perlin's quintic: zero first and second derivative at both ends.
 template <class T>
 T fade(T t) {
@@ -39,18 +51,9 @@ double cell_value(int x, int y, int z, uint32_t seed) { return unit_float(hash_c
 
 }  // namespace
 
-double sine(double radians) {
-  const double quarter = std::floor(radians / k_half_pi + 0.5);
-  const double rest = radians - quarter * k_half_pi;
-  switch (static_cast<int64_t>(quarter) & 3) {
-    case 0: return small_sine(rest);
-    case 1: return small_cosine(rest);
-    case 2: return -small_sine(rest);
-    default: return -small_cosine(rest);
-  }
-}
+double sine(double radians) { return sine_of_quarters(radians, 0); }
 
-double cosine(double radians) { return sine(radians + k_half_pi); }
+double cosine(double radians) { return sine_of_quarters(radians, 1); }
 
 glm::dvec2 unit_circle(double radians) { return {cosine(radians), sine(radians)}; }
 
@@ -69,9 +72,10 @@ mat4 translation(const vec3& offset) {
   return result;
 }
 
+// One round over a linear mix (primes of Teschner et al. 2003): noise asks for hundreds of millions of these.
 uint32_t hash_cell(int x, int y, int z, uint32_t seed) {
-  return hash_uint(hash_uint(hash_uint(hash_uint(seed) + static_cast<uint32_t>(x)) + static_cast<uint32_t>(y)) +
-                   static_cast<uint32_t>(z));
+  return hash_uint(static_cast<uint32_t>(x) * 73856093u ^ static_cast<uint32_t>(y) * 19349663u ^ static_cast<uint32_t>(z) * 83492791u ^
+                   seed * 2654435761u);
 }
 
 float unit_random(int x, int y, uint32_t seed) { return unit_float(hash_cell(x, y, 0, seed)); }

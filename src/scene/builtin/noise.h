@@ -8,7 +8,7 @@
 
 namespace gnomon {
 
-// Error below 1e-15 for |radians| < 1e4.
+// Error below 1e-15 (1 + |radians|).
 double sine(double radians);
 double cosine(double radians);
 // (cos, sin).

@@ -178,10 +178,10 @@ SurfaceTexture bark_texture(int size) {
 
 SurfaceTexture soil_texture(int size) {
   return bake(size, [](float u, float v) -> Texel {
-    const float cloud = tiling_fractal(u, v, ivec2(4), 5, 800), fine = tiling_fractal(u, v, ivec2(64), 3, 810);
-    const float grass = smooth_step(0.42f, 0.58f, cloud + 0.25f * (fine - 0.5f));
+    const float cloud = tiling_fractal(u, v, ivec2(9), 5, 800), fine = tiling_fractal(u, v, ivec2(64), 3, 810);
+    const float grass = smooth_step(0.36f, 0.62f, cloud + 0.25f * (fine - 0.5f));
     const vec3 earth = glm::mix(vec3(0.46f, 0.37f, 0.26f), vec3(0.62f, 0.53f, 0.40f), fine);
-    const vec3 green = glm::mix(vec3(0.30f, 0.34f, 0.14f), vec3(0.54f, 0.54f, 0.26f), fine);
+    const vec3 green = glm::mix(vec3(0.32f, 0.33f, 0.18f), vec3(0.56f, 0.53f, 0.31f), fine);
     return {glm::mix(earth, green, grass), 6.0f * fine + 8.0f * cloud};
   });
 }

@@ -1,43 +1,127 @@
-// terrain: a height map and one dense model, the scene of published measurements (maps of 2048 texels, view of 800 x 600).
+// terrain: a height map of 135 x 135 vertices and one model of 1.3 million, the load of published measurements (with maps of
+// 2048 x 2048 texels and a view of 800 x 600). The model is a torus knot, carved in spirals and weathered, on a plinth.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "scene/builtin/builtin.h"
 #include "scene/builtin/noise.h"
+#include "scene/builtin/procedural_textures.h"
 #include "scene/builtin/shapes.h"
 
 namespace gnomon {
 namespace {
 
-constexpr int k_terrain_side = 135;  // vertices
+using glm::dvec2;
+using glm::dvec3;
 
-double terrain_height(double x, double z) { return 6.0 * (fractal({x * 0.06, 0.0, z * 0.06}, 5, 11) - 0.5); }
+constexpr double k_turn = 6.28318530717958647693;
+constexpr int k_terrain_side = 135;  // vertices
+constexpr double k_terrain_m = 90.0;
+constexpr int k_around = 2048, k_across = 640;  // of the knot at detail 1: 2049 x 641 vertices, since texture seams are doubled
+
+double square(double value) { return value * value; }
+
+// Hills that rise outward from a level place in the middle.
+double terrain_height(double x, double z) {
+  const double distance = std::sqrt(x * x + z * z);
+  const double outward = smooth_step(5.0f, 26.0f, static_cast<float>(distance));
+  const double ridge = 1.0 - std::abs(2.0 * fractal({0.045 * x, 0.5, 0.045 * z}, 5, 11) - 1.0);
+  const double rolling = 0.5 * (fractal({0.25 * x, 2.5, 0.25 * z}, 3, 17) - 0.5);
+  return outward * (7.5 * square(ridge) - 2.5 + 0.10 * std::max(0.0, distance - 20.0)) + rolling * (0.15 + 0.85 * outward);
+}
+
+// Centre line of a (2, 3) torus knot.
+constexpr double k_ring = 1.9, k_tube = 0.95;
+dvec3 knot(double t) {
+  const dvec2 around = unit_circle(2.0 * t), lift = unit_circle(3.0 * t);
+  const double r = k_ring + k_tube * lift.x;
+  return {r * around.x, r * around.y, k_tube * lift.y};
+}
+
+// Point of the sculpture's surface for u along and v around the tube, both of period 1. The frame comes from the torus that
+// carries the knot, so that it closes.
+dvec3 sculpture(double u, double v) {
+  const double t = k_turn * u;
+  const dvec3 centre = knot(t), along = glm::normalize(knot(t + 1e-4) - knot(t - 1e-4));
+  const dvec2 around = unit_circle(2.0 * t);
+  const dvec3 from_ring = centre - k_ring * dvec3(around, 0.0);
+  const dvec3 normal = glm::normalize(from_ring - along * glm::dot(from_ring, along)), binormal = glm::cross(along, normal);
+  const dvec2 turn = unit_circle(-k_turn * v);  // this way round, dP/du x dP/dv points outward
+  const dvec3 out = turn.x * normal + turn.y * binormal;
+  const dvec3 smooth = centre + 0.5 * out;
+  const double flute = std::abs(sine(k_turn * (3.0 * v + 7.0 * u)));  // six spiral ridges
+  const double weather = fractal(2.2 * smooth, 4, 41) - 0.5, chisel = noise(26.0 * smooth, 47) - 0.5;
+  return centre + (0.42 + 0.12 * flute + 0.16 * weather + 0.012 * chisel) * out;
+}
+
+void add_sculpture(MeshPart& part, double detail) {
+  const int columns = std::max(24, static_cast<int>(k_around * std::sqrt(detail) + 0.5));
+  const int rows = std::max(12, static_cast<int>(k_across * std::sqrt(detail) + 0.5));
+  std::vector<dvec3> points(static_cast<size_t>(columns) * rows);
+  const auto at = [&](int column, int row) -> dvec3& {
+    return points[static_cast<size_t>((row + rows) % rows) * columns + (column + columns) % columns];
+  };
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) at(column, row) = sculpture(double(column) / columns, double(row) / rows);
+  }
+  for (int row = 0; row <= rows; ++row) {
+    for (int column = 0; column <= columns; ++column) {
+      const dvec3 du = at(column + 1, row) - at(column - 1, row), dv = at(column, row + 1) - at(column, row - 1);
+      const vec2 uv(18.0f * static_cast<float>(column) / static_cast<float>(columns), 3.0f * static_cast<float>(row) / static_cast<float>(rows));
+      add_vertex(part, vec3(at(column, row)), vec3(glm::normalize(glm::cross(du, dv))), uv);
+    }
+  }
+  const auto stride = static_cast<uint32_t>(columns + 1);
+  for (uint32_t row = 0; row < static_cast<uint32_t>(rows); ++row) {
+    for (uint32_t column = 0; column + 1 < stride; ++column) {
+      const uint32_t a = row * stride + column, b = a + stride;
+      add_triangle(part, a, a + 1, b + 1);
+      add_triangle(part, a, b + 1, b);
+    }
+  }
+}
+
+int textured(Scene& scene, const std::string& name, SurfaceTexture texture, const vec3& tint, float specular) {
+  Material material;
+  material.name = name;
+  material.base_colour = vec4(tint, 1.0f);
+  material.base_colour_texture = add_texture(scene, name, std::move(texture.colour), true);
+  material.normal_texture = add_texture(scene, name + "_normal", std::move(texture.normal), false);
+  material.specular = vec3(specular);
+  return add_material(scene, material);
+}
 
 }  // namespace
 
 Scene make_terrain(const BuiltinOptions& options) {
-  const double scale = std::sqrt(options.at("detail"));
   Scene scene;
   scene.name = "terrain";
-  Material soil;
-  soil.name = "soil", soil.base_colour = vec4(0.3f, 0.28f, 0.15f, 1.0f);
-  MeshPart ground = part_of(add_material(scene, soil));
-  add_surface(ground, {k_terrain_side - 1, k_terrain_side - 1, false, false, {30, 30}}, [](double u, double v) {
-    const double x = 60 * (u - 0.5), z = 60 * (0.5 - v);
-    return glm::dvec3(x, terrain_height(x, z), z);
+  MeshPart ground = part_of(textured(scene, "soil", soil_texture(512), vec3(1.0f), 0.0f));
+  add_surface(ground, {k_terrain_side - 1, k_terrain_side - 1, false, false, {22, 22}}, [](double u, double v) {
+    const double x = k_terrain_m * (u - 0.5), z = k_terrain_m * (0.5 - v);
+    return dvec3(x, terrain_height(x, z), z);
   });
   add_object(scene, "terrain", add_mesh(scene, "terrain", {ground}));
-  Material bronze;
-  bronze.name = "bronze", bronze.base_colour = vec4(0.5f, 0.3f, 0.15f, 1.0f);
-  MeshPart model = part_of(add_material(scene, bronze));
-  const int columns = std::max(8, static_cast<int>(1280 * scale)), rows = std::max(8, static_cast<int>(1024 * scale));
-  add_sphere(model, {0, 4, 0}, 2.5f, columns, rows, {4, 2});
-  add_object(scene, "model", add_mesh(scene, "model", {model}));
+
+  MeshPart model = part_of(textured(scene, "marble", limestone_texture(256), {0.95f, 0.90f, 0.84f}, 0.15f));
+  add_sculpture(model, options.at("detail"));
+  add_object(scene, "sculpture", add_mesh(scene, "sculpture", {std::move(model)}), translation({0, 5.22f, 0}) * rotation({0, 1, 0}, radians_of(-28.0)) * rotation({0, 0, 1}, radians_of(30.0)));
+
+  MeshPart plinth = part_of(textured(scene, "plinth", masonry_texture(512), vec3(1.0f), 0.0f));
+  add_box(plinth, {-1.5f, -0.6f, -1.5f}, {1.5f, 0.45f, 1.5f}, 0.5f);
+  add_box(plinth, {-1.1f, 0.45f, -1.1f}, {1.1f, 1.75f, 1.1f}, 0.5f);
+  add_box(plinth, {-1.25f, 1.75f, -1.25f}, {1.25f, 1.95f, 1.25f}, 0.5f);
+  add_object(scene, "plinth", add_mesh(scene, "plinth", {plinth}));
+
   Light sun;
-  sun.name = "sun", sun.direction = glm::normalize(vec3(0.7f, -0.55f, 0.25f)), sun.intensity = 3.0f;
+  sun.name = "sun";
+  sun.direction = glm::normalize(vec3(0.72f, -0.50f, -0.22f));
+  sun.colour = vec3(1.0f, 0.92f, 0.80f);
+  sun.intensity = 3.0f;
   sun.angular_diameter = static_cast<float>(radians_of(0.533));
   scene.lights.push_back(sun);
-  scene.cameras.push_back(look_at("default", {-6, 6, 16}, {0.5f, 2.5f, 0}, 45.0));
+  scene.cameras.push_back(look_at("default", {-2.5f, 4.2f, 17.0f}, {2.0f, 3.3f, 0.0f}, 45.0));
   return scene;
 }
 
