@@ -12,12 +12,12 @@ function shortened(ctx, text, width) {
   return text.slice(0, length) + "…";
 }
 
-// Grid lines only where a tick has a label: on a logarithmic axis the others run together.
-function chartAxis(colours, title, more = {}) {
+// Grid lines only where a tick has a label: on a logarithmic axis the others run together. A bare axis has none at zero.
+function chartAxis(colours, title, { isBare = false, ...more } = {}) {
   return {
     title: { display: true, text: title, color: colours.muted, font: { size: 12 } },
     grid: {
-      color: (c) => (c.tick?.label === "" ? "transparent" : colours.line),
+      color: (c) => (c.tick?.label === "" || (isBare && c.tick?.value === 0) ? "transparent" : colours.line),
       borderColor: colours.line,
       tickColor: "transparent",
     },

@@ -44,9 +44,8 @@ function renderCompare() {
   const entries = own.map((row) => ({ label: row.label, options: row.own.map((picture) => option(picture, row.label)) }));
   if (references.length) entries.unshift({ label: "Reference", options: references.map(({ picture }) => option(picture)) });
   for (const select of [parts.leftSelect, parts.rightSelect]) fillSelect(select, entries, "");
-  parts.port.style.setProperty("--aspect", pictureSize()[0] / pictureSize()[1]);
-  const row = own[0];
-  const first = row ? row.own[0] : references[0].picture;
+  const [width, height] = pictureSize(), row = own[0], first = row ? row.own[0] : references[0].picture;
+  parts.port.style.setProperty("--aspect", width / height);
   view.scale = 0, view.divide = 50;
   showPair(first.index, (row && counterpart(row, first)?.index) ?? references[0]?.picture.index);
 }
@@ -82,7 +81,9 @@ function place() {
   parts.divider.setAttribute("aria-valuenow", String(Math.round(view.divide)));
   parts.divider.setAttribute("aria-valuetext", `${Math.round(view.divide)} % left picture`);
   parts.port.classList.toggle("zoomed", view.scale > 0);
-  for (const button of parts.zooms.children) button.setAttribute("aria-pressed", String(Number(button.dataset.scale) === view.scale));
+  for (const button of parts.zooms.children) {
+    button.setAttribute("aria-pressed", String(Number(button.dataset.scale) === view.scale));
+  }
 }
 
 // Zooms about a point of the port (its centre by default): what lies there stays there.

@@ -26,7 +26,7 @@ const pointLabels = {
     Object.assign(ctx, { textBaseline: "middle", lineWidth: 3, strokeStyle: colours.panel, lineJoin: "round" });
     for (const { point, at } of [...points].sort((a, b) => b.point.onFront - a.point.onFront)) {
       ctx.font = cssFont(size, point.onFront ? 600 : 400);
-      const text = shortened(ctx, point.row.label, Math.min(220, area.width * 0.6));
+      const text = shortened(ctx, chartLabel(point.row), Math.min(260, area.width * 0.7));
       const w = ctx.measureText(text).width + 2, h = size + 3;
       const box = labelPlaces(w, h).map(([dx, dy]) => ({ x: at.x + dx, y: at.y + dy, w, h })).find(fits);
       if (!box) continue;
@@ -103,6 +103,7 @@ function renderCostChart() {
   byId("cost-panel").hidden = points.length === 0;
   if (points.length === 0) return;
   for (const point of points) point.onFront = front.includes(point) ? 1 : 0;
+  points.sort((a, b) => a.onFront - b.onFront);  // the front is drawn over the others
   costChart = new Chart(canvas, {
     type: "scatter",
     plugins: [pointLabels],

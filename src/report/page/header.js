@@ -54,10 +54,11 @@ function renderSummary() {
   const exact = best(error), fast = best((row) => row.gpu.total);
   const points = costPoints(), front = paretoFront(points);
   const missing = rows.filter((row) => !row.available).length;
-  const card = (title, name, text) => el("div", {}, el("dt", {}, title), el("dd", {}, name), el("dd", { class: "more" }, text));
+  const card = (title, name, ...more) => el("div", {}, el("dt", {}, title), el("dd", {}, name),
+    more.filter(Boolean).map((text) => el("dd", { class: "more" }, text)));
   byId("summary").replaceChildren(el("dl", {},
-    exact && card("Smallest error", exact.label, `mae ${formatError(error(exact))}, ${kinds[state.kind].noun}`),
-    fast && card("Least GPU time", fast.label, withUnit(formatMs(fast.gpu.total), "ms")),
+    exact && card("Smallest error", ...labelParts(exact), `mae ${formatError(error(exact))}, ${kinds[state.kind].label}`),
+    fast && card("Least GPU time", ...labelParts(fast), withUnit(formatMs(fast.gpu.total), "ms")),
     front.length > 0 && card("Best for their cost", `${front.length} of ${points.length}`, "on the Pareto front below"),
     missing > 0 && card("Unavailable", String(missing), "reasons in the table")));
 }

@@ -6,6 +6,7 @@ function renderGroup() {
   // A run that only measured time has no errors to sort by.
   if (present.length === 0 && state.sort.key === "mae_hard") state.sort = { key: "total", ascending: true };
   state.expanded.clear();
+  byId("error-legend").hidden = present.length === 0;
   renderFacts();
   renderKindSwitch((kind) => { state.kind = kind; renderKind(); renderGallery(); });
   renderKind();

@@ -3,8 +3,8 @@
 const data = JSON.parse(byId("gnomon-data").textContent);
 
 const kinds = {
-  hard: { label: "hard shadows", noun: "hard shadow" },
-  area: { label: "area light", noun: "area light" },
+  hard: { label: "hard shadows" },
+  area: { label: "area light" },
 };
 const stageNames = ["surface", "build", "resolve", "shade"];
 const stageHelp = {
@@ -91,6 +91,12 @@ function labelParts(row) {
   const { technique } = row.raw;
   return row.label.startsWith(technique) ? [technique, row.label.slice(technique.length).trim()] : [row.label, ""];
 }
+
+// "single/pcf size=2048": charts have no room for the owner of a setting.
+const chartLabel = (row) => {
+  const [technique, settings] = labelParts(row);
+  return `${technique} ${settings.replace(/(^| )[\w.]*\.(\w+=)/g, "$1$2")}`.trim();
+};
 
 // What the rows of a group have in common; the first row speaks for all, by how groups are made.
 const sample = (group) => group.rows[0].raw;

@@ -9,15 +9,16 @@ const barLabels = {
   afterDatasetsDraw(chart) {
     const { ctx, chartArea: area } = chart, colours = chartColours();
     ctx.save();
-    ctx.textBaseline = "alphabetic";
+    Object.assign(ctx, { textBaseline: "alphabetic", lineWidth: 4, strokeStyle: colours.panel, lineJoin: "round" });
+    const write = (text, x, y) => { ctx.strokeText(text, x, y); ctx.fillText(text, x, y); };
     chart.options.rows.forEach(({ row, total }, i) => {
       const y = chart.scales.y.getPixelForValue(i) - 12;
       ctx.font = cssFont(12, 600), ctx.fillStyle = colours.muted, ctx.textAlign = "right";
       const text = withUnit(formatMs(total), "ms");
-      ctx.fillText(text, area.right, y);
+      write(text, area.right, y);
       const room = area.width - ctx.measureText(text).width - 12;
       ctx.font = cssFont(12), ctx.fillStyle = colours.ink, ctx.textAlign = "left";
-      ctx.fillText(shortened(ctx, row.label, room), area.left, y);
+      write(shortened(ctx, chartLabel(row), room), area.left, y);
     });
     ctx.restore();
   },
@@ -45,7 +46,8 @@ function passDatasets(rows, colours) {
 
 function passesOptions(rows, colours) {
   const inMs = state.bars === "ms";
-  const lengthAxis = { stacked: true, beginAtZero: true, max: inMs ? undefined : 100, ticks: { maxTicksLimit: 6, maxRotation: 0 } };
+  const ticks = { maxTicksLimit: 6, maxRotation: 0 };
+  const lengthAxis = { isBare: true, stacked: true, beginAtZero: true, max: inMs ? undefined : 100, ticks };
   return {
     rows, indexAxis: "y", animation: false, maintainAspectRatio: false, layout: { padding: { top: 8 } },
     onClick: openOnClick((index) => rows[index].row),

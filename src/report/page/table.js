@@ -72,7 +72,8 @@ function nameCell(row) {
   };
   return el("th", { scope: "row", class: "name" },
     el("button", {
-      type: "button", id: `open-${row.index}`, "aria-expanded": String(open), "aria-controls": `details-${row.index}`, onclick: toggle,
+      type: "button", id: `open-${row.index}`, onclick: toggle,
+      "aria-expanded": String(open), "aria-controls": `details-${row.index}`,
     }, el("span", { class: "arrow", "aria-hidden": "true" }),
     el("span", { class: "label" }, technique, settings && el("small", {}, settings))));
 }
@@ -85,7 +86,7 @@ function numberCell(column, row, largest) {
   }, column.text(value));
   if (column.bar && isNumber(value) && largest > 0) {
     const bar = el("i", { class: `bar ${column.bar}` });
-    bar.style.width = `${(100 * value) / largest}%`;
+    bar.style.setProperty("--share", value / largest);
     cell.append(bar);
   }
   return cell;
