@@ -35,7 +35,7 @@ void record_depth_pass(Recorder& recorder, const std::string& name, const GpuSce
       for (uint32_t bucket = 0; bucket < k_bucket_count; ++bucket) {
         if (((bucket & Bucket::k_masked) != 0) != masked) continue;
         const VkCullModeFlags front = bucket & Bucket::k_mirrored ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_FRONT_BIT;
-        commands.cull_mode(front_face_culling && !masked ? front : VK_CULL_MODE_NONE);
+        commands.cull_mode(front_face_culling && !masked ? front : VkCullModeFlags{VK_CULL_MODE_NONE});
         draws.draw_bucket(commands, bucket);
       }
     }

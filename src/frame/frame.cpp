@@ -92,6 +92,15 @@ void Frame::fill_frame_data() {
   frame_data_.flush();
 }
 
+std::pair<float, float> Frame::visible_range() const {
+  const CameraData& camera = data_.camera;
+  float farthest = camera.near_m;
+  for (int i = 0; i < 8; ++i) {
+    farthest = std::max(farthest, glm::dot(scene_.bounds().corner(i) - camera.eye_ws, camera.forward_ws));
+  }
+  return {camera.near_m, farthest};
+}
+
 void Frame::record_surface(Recorder& recorder) {
   draws_.record(recorder, cull_pipeline_, "surface/cull", PassStage::surface,
                 frame_data_.address() + offsetof(FrameData, camera) + offsetof(CameraData, clip_from_world), k_cull_depth);
@@ -107,7 +116,7 @@ void Frame::record_surface(Recorder& recorder) {
     for (uint32_t bucket = 0; bucket < k_bucket_count; ++bucket) {
       const bool mirrored = bucket & Bucket::k_mirrored;
       const VkCullModeFlags back = mirrored ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT;
-      commands.cull_mode(bucket & Bucket::k_double_sided ? VK_CULL_MODE_NONE : back);
+      commands.cull_mode(bucket & Bucket::k_double_sided ? VkCullModeFlags{VK_CULL_MODE_NONE} : back);
       draws_.draw_bucket(commands, bucket);
     }
     commands.end_rendering();

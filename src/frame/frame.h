@@ -34,6 +34,8 @@ class Frame {
   uvec2 size() const { return size_; }
   uint32_t samples() const { return samples_; }
   size_t sample_count() const { return size_t{size_.x} * size_.y * samples_; }
+  // View depths (metres) between which the scene's bounds can be seen: {near plane, farthest corner}, for fits that slice the view.
+  std::pair<float, float> visible_range() const;
   uint64_t data_address() const { return frame_data_.address(); }
   const Pipeline& cull_pipeline() const { return cull_pipeline_; }
 
