@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 #include "base/error.h"
 
@@ -47,41 +47,48 @@ class CornerSets {
   std::vector<uint32_t> parent_;
 };
 
-struct Edge {
-  uint32_t low, high;                // position ids
-  uint32_t low_corner, high_corner;  // the triangle's corners there
-};
-
-std::vector<Edge> sorted_edges(const MeshPart& part, const std::vector<uint32_t>& ids) {
-  std::vector<Edge> edges;
-  edges.reserve(part.indices.size());
-  for (uint32_t corner = 0; corner < part.indices.size(); ++corner) {
-    const uint32_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
-    Edge edge{ids[part.indices[corner]], ids[part.indices[next]], corner, next};
-    if (edge.low > edge.high) std::swap(edge.low, edge.high), std::swap(edge.low_corner, edge.high_corner);
-    edges.push_back(edge);
-  }
-  // Corner as the last key: the outcome must not depend on the sort.
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return std::tie(a.low, a.high, a.low_corner) < std::tie(b.low, b.high, b.low_corner);
-  });
-  return edges;
+// Calls work(begin, end) for each run of items with one key; items within a run keep their order. A counting sort: with
+// millions of triangles, a comparison sort of everything is most of the loading time.
+template <class Work>
+void for_each_group(const std::vector<uint32_t>& keys, uint32_t key_count, const Work& work) {
+  std::vector<uint32_t> end_of(key_count + 1, 0), items(keys.size());
+  for (const uint32_t key : keys) ++end_of[key + 1];
+  std::partial_sum(end_of.begin(), end_of.end(), end_of.begin());
+  for (uint32_t i = 0; i < keys.size(); ++i) items[end_of[keys[i]]++] = i;
+  for (size_t begin = 0, key = 0; key < key_count; begin = end_of[key++]) work(items.begin() + begin, items.begin() + end_of[key]);
 }
 
+// Equal keys in ascending order of the items: the outcome must not depend on the sort.
+template <class Iterator, class Key>
+void sort_by(Iterator begin, Iterator end, const Key& key) {
+  std::sort(begin, end, [&](uint32_t a, uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+}
+
+constexpr uint32_t next_corner(uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+
 CornerSets smooth_sets(const MeshPart& part, const std::vector<dvec3>& areas, float crease_angle) {
-  const auto edges = sorted_edges(part, position_ids(part.positions));
+  const auto ids = position_ids(part.positions);
   const double least_cosine = std::cos(static_cast<double>(crease_angle));
   const auto smooth = [&](uint32_t a, uint32_t b) {
     const double lengths = glm::length(areas[a]) * glm::length(areas[b]);
     return lengths == 0.0 || glm::dot(areas[a], areas[b]) >= least_cosine * lengths;
   };
+  // An edge is named by the corner where it starts and belongs to the end with the lower id.
+  const auto id_of = [&](uint32_t corner) { return ids[part.indices[corner]]; };
+  const auto low = [&](uint32_t edge) { return id_of(edge) <= id_of(next_corner(edge)) ? edge : next_corner(edge); };
+  const auto high = [&](uint32_t edge) { return id_of(edge) <= id_of(next_corner(edge)) ? next_corner(edge) : edge; };
+  std::vector<uint32_t> low_ids(part.indices.size());
+  for (uint32_t edge = 0; edge < low_ids.size(); ++edge) low_ids[edge] = id_of(low(edge));
   CornerSets sets(part.indices.size());
-  for (size_t i = 1; i < edges.size(); ++i) {
-    const Edge &a = edges[i - 1], &b = edges[i];
-    if (a.low != b.low || a.high != b.high || !smooth(a.low_corner / 3, b.low_corner / 3)) continue;
-    sets.join(a.low_corner, b.low_corner);
-    sets.join(a.high_corner, b.high_corner);
-  }
+  for_each_group(low_ids, static_cast<uint32_t>(ids.size()), [&](auto begin, auto end) {
+    sort_by(begin, end, [&](uint32_t edge) { return id_of(high(edge)); });
+    for (auto edge = begin; edge != end && edge + 1 != end; ++edge) {
+      const uint32_t a = edge[0], b = edge[1];
+      if (id_of(high(a)) != id_of(high(b)) || !smooth(a / 3, b / 3)) continue;
+      sets.join(low(a), low(b));
+      sets.join(high(a), high(b));
+    }
+  });
   return sets;
 }
 
@@ -109,26 +116,22 @@ void make_normals(MeshPart& part, float crease_angle) {
   for (uint32_t corner = 0; corner < part.indices.size(); ++corner) sums[sets.root(corner)] += areas[corner / 3];
 
   // Corners of one vertex side by side, and among them those of one set; the first set keeps the vertex, others get copies.
-  std::vector<uint32_t> order(part.indices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-    return std::tuple(part.indices[a], sets.root(a), a) < std::tuple(part.indices[b], sets.root(b), b);
-  });
-  part.normals.assign(part.positions.size(), vec3(0, 1, 0));
-  uint32_t last_vertex = 0xffffffffu, last_set = 0, placed = 0;
-  for (const uint32_t corner : order) {
-    const uint32_t vertex = part.indices[corner], set = sets.root(corner);
-    if (vertex != last_vertex) {
-      placed = vertex;
-    } else if (set != last_set) {
-      placed = static_cast<uint32_t>(part.positions.size());
-      append_copy(part.positions, vertex), append_copy(part.tangents, vertex), append_copy(part.uvs, vertex);
-      append_copy(part.colours, vertex), append_copy(part.normals, vertex);
+  const auto vertex_count = static_cast<uint32_t>(part.positions.size());
+  const std::vector<uint32_t> old_indices = part.indices;
+  part.normals.assign(vertex_count, vec3(0, 1, 0));
+  for_each_group(old_indices, vertex_count, [&](auto begin, auto end) {
+    sort_by(begin, end, [&](uint32_t corner) { return sets.root(corner); });
+    for (auto corner = begin; corner != end; ++corner) {
+      const uint32_t vertex = old_indices[*corner];
+      const bool new_set = corner != begin && sets.root(*corner) != sets.root(corner[-1]);
+      if (new_set) {
+        append_copy(part.positions, vertex), append_copy(part.tangents, vertex), append_copy(part.uvs, vertex);
+        append_copy(part.colours, vertex), append_copy(part.normals, vertex);
+      }
+      part.indices[*corner] = corner == begin ? vertex : new_set ? static_cast<uint32_t>(part.positions.size() - 1) : part.indices[corner[-1]];
+      part.normals[part.indices[*corner]] = unit_or_up(sums[sets.root(*corner)]);
     }
-    last_vertex = vertex, last_set = set;
-    part.normals[placed] = unit_or_up(sums[set]);
-    part.indices[corner] = placed;
-  }
+  });
 }
 
 // --- tangents --------------------------------------------------------------------------------------------------------
