@@ -37,7 +37,7 @@ void check_range(const char* what, std::span<const float> values) {
 
 nlohmann::json one_sided_json(const OneSidedError& error) { return {{"area", error.area}, {"severity", error.severity}}; }
 
-uint8_t to_byte(float value) { return static_cast<uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f); }
+uint8_t to_byte(float value) { return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f)); }
 
 void store(Image8& image, int x, int y, const vec3& colour) {
   uint8_t* texel = image.at(x, y);
