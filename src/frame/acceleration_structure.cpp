@@ -55,6 +55,7 @@ AccelerationStructure::AccelerationStructure(Device& device, const GpuScene& sce
   instances_ = Buffer(device, "instances", instances.size() * sizeof(instances[0]), BufferMemory::device,
                       VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR);
   upload(device, instances_, std::as_bytes(std::span(instances)));
+  bytes_ += instances_.bytes();
   VkAccelerationStructureGeometryKHR geometry = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR};
   geometry.geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR;
   geometry.geometry.instances.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_INSTANCES_DATA_KHR;
@@ -78,6 +79,7 @@ AccelerationStructure::Level AccelerationStructure::build(const VkAccelerationSt
   Level level;
   level.storage = Buffer(device_, std::string("acceleration structure of ") + name, sizes.accelerationStructureSize, BufferMemory::device,
                          VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR);
+  bytes_ += sizes.accelerationStructureSize;
   VkAccelerationStructureCreateInfoKHR create = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR};
   create.buffer = level.storage.handle();
   create.size = sizes.accelerationStructureSize;

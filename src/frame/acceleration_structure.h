@@ -17,6 +17,7 @@ class AccelerationStructure {
 
   uint64_t address() const { return top_.address; }
   size_t triangle_count() const { return triangle_count_; }  // instances counted
+  uint64_t bytes() const { return bytes_; }
   double build_ms() const { return build_ms_; }
 
  private:
@@ -32,6 +33,7 @@ class AccelerationStructure {
   Level top_;
   Buffer instances_;
   size_t triangle_count_ = 0;
+  uint64_t bytes_ = 0;
   double build_ms_ = 0.0;
 };
 

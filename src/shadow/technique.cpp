@@ -65,8 +65,11 @@ TechniqueContext::~TechniqueContext() = default;
 
 const AccelerationStructure& TechniqueContext::acceleration_structure() {
   if (!acceleration_structure_) acceleration_structure_ = std::make_unique<AccelerationStructure>(device_, frame_.scene());
+  acceleration_structure_used_ = true;
   return *acceleration_structure_;
 }
+
+uint64_t TechniqueContext::shared_bytes() const { return acceleration_structure_ ? acceleration_structure_->bytes() : 0; }
 
 SettingsMap TechniqueSpec::default_settings() const {
   SettingsMap settings;

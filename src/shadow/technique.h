@@ -29,10 +29,16 @@ class TechniqueContext {
   const Frame& frame() const { return frame_; }
   const AccelerationStructure& acceleration_structure();
 
+  // For a technique's memory: shared structures count for whoever asked for them since the last forget_shared_use.
+  uint64_t shared_bytes() const;
+  uint64_t shared_bytes_used() const { return acceleration_structure_used_ ? shared_bytes() : 0; }
+  void forget_shared_use() { acceleration_structure_used_ = false; }
+
  private:
   Device& device_;
   const Frame& frame_;
   std::unique_ptr<AccelerationStructure> acceleration_structure_;
+  bool acceleration_structure_used_ = false;
 };
 
 class Technique {

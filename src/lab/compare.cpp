@@ -1,0 +1,180 @@
+// Times each technique, reads its masks, scores them, writes pictures and lines.
+#include "lab/compare.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "frame/acceleration_structure.h"
+#include "lab/lab_params.h"
+#include "lab/result_line.h"
+#include "lab/timing.h"
+#include "measure/visibility_error.h"
+
+namespace gnomon {
+namespace {
+
+std::string file_stem(std::string text) {
+  std::replace_if(text.begin(), text.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '_'; }, '-');
+  return text;
+}
+
+TimingOptions timing_options(const Settings& settings) {
+  const auto params = settings.block("measure").as<measure_params::Params>();
+  TimingOptions options;
+  options.mode = params.mode == measure_params::mode_play ? TimingMode::play : TimingMode::measure;
+  options.frames = params.frames;
+  options.warm_up = params.warm_up;
+  options.max_seconds = static_cast<double>(params.max_seconds);
+  return options;
+}
+
+// One view under one light: its reference, and a line for every technique.
+class LightComparison {
+ public:
+  LightComparison(Session& session, const CompareOptions& options, std::string light_argument)
+      : session_(session), options_(options), light_argument_(std::move(light_argument)), stem_(file_stem(session.scene().name)) {
+    if (!light_argument_.empty()) stem_ += "." + file_stem(light_argument_);
+    session_.draw_surface();
+    references_ = make_references(session_);
+    common_ = describe_session(session_);
+    common_["reference"] = describe_reference(references_, truth(), 0);
+    if (options_.pictures) write_reference_pictures();
+  }
+
+  nlohmann::json run(const TechniqueSpec& spec) {
+    nlohmann::json line = common_;
+    line["technique"] = spec.name;
+    line["command"] = repeat_command(session_, spec.name, light_argument_);
+    line["settings"] = session_.settings().to_json(session_.settings().for_technique(spec));
+    line["status"] = "ok";
+    line["reason"] = "";
+    std::string reason = session_.unavailable(spec);
+    if (reason.empty()) {
+      try {
+        measure(spec, line);
+        return line;
+      } catch (const Error& error) {
+        if (error.code() != ExitCode::device) throw;
+        reason = error.what();
+      }
+    }
+    line["status"] = "unavailable";
+    line["reason"] = reason;
+    return line;
+  }
+
+ private:
+  const LightReference& truth() const { return references_.lights.front(); }
+
+  void measure(const TechniqueSpec& spec, nlohmann::json& line) {
+    TechniqueContext& context = session_.context();
+    const uint64_t before = session_.device().allocated_bytes() - context.shared_bytes();
+    context.forget_shared_use();
+    const auto techniques = session_.make_techniques(spec);
+    const uint64_t own = session_.device().allocated_bytes() - context.shared_bytes() - before;
+    line["memory_bytes"] = own + context.shared_bytes_used();
+
+    const Timing timing =
+        time_frames(session_.device(), timing_options(session_.settings()), [&](Recorder& recorder) { session_.record_frame(recorder, techniques); });
+    line["timing"] = timing_to_json(timing);
+    line["passes"] = passes_to_json(timing);
+    const double build = timing.stage_ms(PassStage::build), resolve = timing.stage_ms(PassStage::resolve);
+    line["gpu_ms"] = {{"build", build}, {"resolve", resolve}, {"total", build + resolve}};
+
+    const std::vector<float> mask = session_.frame().read_mask(0);
+    line["visibility"]["hard"] = visibility_error(mask, truth().hard.visibility, truth().hard.receiver).to_json();
+    if (truth().area) line["visibility"]["area"] = visibility_error(mask, truth().area->visibility, truth().area->receiver).to_json();
+    line["artefacts"] = nlohmann::json::object();
+    if (options_.pictures) write_pictures(spec, mask, line);
+  }
+
+  std::string write_picture(const std::string& name, const Image8& image) const {
+    const std::string relative = "images/" + stem_ + "." + name + ".png";
+    write_png(options_.output / relative, image);
+    return relative;
+  }
+
+  void write_pictures(const TechniqueSpec& spec, const std::vector<float>& mask, nlohmann::json& line) {
+    const std::string name = file_stem(spec.name);
+    const int samples = static_cast<int>(session_.frame().samples());
+    const Image8 shaded = session_.frame().read_display();
+    line["image"] = image_error(shaded, reference_shaded_).to_json();
+    nlohmann::json& images = line["images"];
+    images = reference_pictures_;
+    images["shaded"] = write_picture(name + ".shaded", shaded);
+    images["mask"] = write_picture(name + ".mask", mask_picture(mask, truth().hard.receiver, shaded.width, shaded.height, samples));
+    images["error"]["hard"] =
+        write_picture(name + ".error.hard", signed_error_map(mask, truth().hard.visibility, truth().hard.receiver, samples, shaded));
+    if (truth().area) {
+      images["error"]["area"] =
+          write_picture(name + ".error.area", signed_error_map(mask, truth().area->visibility, truth().area->receiver, samples, shaded));
+    }
+  }
+
+  void write_reference_pictures() {
+    const uvec2 size = session_.frame().size();
+    const auto picture = [&](const ReferenceResult& result) {
+      return mask_picture(result.visibility, result.receiver, static_cast<int>(size.x), static_cast<int>(size.y),
+                          static_cast<int>(session_.frame().samples()));
+    };
+    make_folder(options_.output / "images");
+    reference_pictures_["reference"]["hard"] = write_picture("reference.hard", picture(truth().hard));
+    if (truth().area) reference_pictures_["reference"]["area"] = write_picture("reference.area", picture(*truth().area));
+    session_.frame().write_mask(0, truth().area ? truth().area->visibility : truth().hard.visibility);
+    reference_shaded_ = session_.shade();
+    reference_pictures_["reference_shaded"] = write_picture("reference.shaded", reference_shaded_);
+  }
+
+  Session& session_;
+  const CompareOptions& options_;
+  std::string light_argument_, stem_;
+  ReferenceSet references_;
+  nlohmann::json common_, reference_pictures_;
+  Image8 reference_shaded_;
+};
+
+void write_lines(const std::filesystem::path& folder, const std::vector<nlohmann::json>& lines) {
+  std::string text;
+  for (const auto& line : lines) text += line.dump() + "\n";
+  write_file(folder / "results.jsonl", text);
+}
+
+}  // namespace
+
+std::vector<const TechniqueSpec*> techniques_named(const std::vector<std::string>& names) {
+  std::vector<const TechniqueSpec*> specs;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      for (const auto& spec : all_techniques()) specs.push_back(&spec);
+    } else {
+      specs.push_back(&find_technique(name));
+    }
+  }
+  return specs;
+}
+
+std::vector<nlohmann::json> compare(Device& device, const CompareOptions& options, const Settings& settings) {
+  const auto specs = techniques_named(options.techniques);
+  settings.check_used(specs);
+  make_folder(options.output);
+  Session session(device, options.view, settings);
+  std::vector<nlohmann::json> lines;
+  // Each light is measured by itself: its mask, its cost.
+  const std::vector<Light> lights = session.chosen_lights();
+  for (size_t i = 0; i < lights.size(); ++i) {
+    session.use_light(i);
+    const std::string argument = lights.size() > 1 ? lights[i].name : options.view.lights.empty() ? "" : options.view.lights.front();
+    LightComparison comparison(session, options, argument);
+    for (const TechniqueSpec* spec : specs) {
+      log_info("{}{}: {}", session.scene().name, lights.size() > 1 ? ", light " + lights[i].name : "", spec->name);
+      lines.push_back(comparison.run(*spec));
+      write_lines(options.output, lines);
+    }
+  }
+  return lines;
+}
+
+}  // namespace gnomon

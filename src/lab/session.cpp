@@ -1,0 +1,65 @@
+// Loading, upload, frames.
+#include "lab/session.h"
+
+#include "base/error.h"
+#include "lab/lab_params.h"
+#include "scene/load.h"
+
+namespace gnomon {
+
+Session::Session(Device& device, const ViewOptions& options, Settings settings)
+    : device_(device), options_(options), settings_(std::move(settings)), scene_(load_scene(options.scene, settings_.scene_options())) {
+  camera_ = choose_camera(scene_, options_, settings_);
+  lights_ = choose_lights(scene_, options_, settings_);
+  gpu_scene_ = std::make_unique<GpuScene>(device_, scene_);
+  make_frame(lights_);
+}
+
+void Session::use_light(size_t index) {
+  if (lights_.size() > 1) make_frame(std::span(&lights_[index], 1));
+}
+
+void Session::make_frame(std::span<const Light> lights) {
+  context_.reset();
+  frame_ = std::make_unique<Frame>(device_, *gpu_scene_, options_.size, options_.samples, lights);
+  frame_->set_params(settings_.block("frame").as<frame_params::Params>());
+  frame_->set_camera(camera_);
+  context_ = std::make_unique<TechniqueContext>(device_, *frame_);
+}
+
+std::string Session::unavailable(const TechniqueSpec& spec) const {
+  for (const Light& light : frame_->lights()) {
+    if (!spec.supports(light.kind)) return fmt::format("no {} lights ('{}')", light_kind_name(light.kind), light.name);
+  }
+  return {};
+}
+
+std::vector<std::unique_ptr<Technique>> Session::make_techniques(const TechniqueSpec& spec) {
+  const SettingsMap settings = settings_.for_technique(spec);
+  std::vector<std::unique_ptr<Technique>> techniques;
+  for (size_t light = 0; light < frame_->lights().size(); ++light) techniques.push_back(spec.make(*context_, settings));
+  return techniques;
+}
+
+void Session::record_frame(Recorder& recorder, std::span<const std::unique_ptr<Technique>> techniques) {
+  frame_->record_surface(recorder);
+  for (size_t light = 0; light < techniques.size(); ++light) techniques[light]->record(recorder, *frame_, light);
+  frame_->record_shade(recorder);
+}
+
+void Session::draw_surface() {
+  Recorder recorder(device_, TimingMode::play, false);
+  recorder.begin();
+  frame_->record_surface(recorder);
+  recorder.finish();
+}
+
+Image8 Session::shade() {
+  Recorder recorder(device_, TimingMode::play, false);
+  recorder.begin();
+  frame_->record_shade(recorder);
+  recorder.finish();
+  return frame_->read_display();
+}
+
+}  // namespace gnomon

@@ -1,0 +1,70 @@
+// One scene, seen by one camera under chosen lights, ready to be drawn: what render, compare and bench share.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/frame.h"
+#include "lab/settings.h"
+#include "reference/cpu/embree_reference.h"
+
+namespace gnomon {
+
+// What the command line says about a picture.
+struct ViewOptions {
+  std::string scene;
+  uvec2 size = {800, 600};
+  uint32_t samples = 1;
+  std::string camera;               // empty: the scene's first, else a framing one; a name, a number, or "x,y,z:x,y,z" (eye:target)
+  std::vector<std::string> lights;  // empty: the first directional light, else the sun of the light settings; "sun", "all", names, numbers
+};
+
+// Camera and lights after the scene and the settings were asked. Writes what is in force into `settings`.
+Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& settings);
+std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, Settings& settings);
+
+class Session {
+ public:
+  Session(Device& device, const ViewOptions& options, Settings settings);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  Device& device() { return device_; }
+  const Scene& scene() const { return scene_; }
+  const Camera& camera() const { return camera_; }
+  Frame& frame() { return *frame_; }
+  TechniqueContext& context() { return *context_; }
+  const Settings& settings() const { return settings_; }
+  const ViewOptions& options() const { return options_; }
+
+  // The lights that the options name; a new session's frame has all of them, use_light leaves one.
+  const std::vector<Light>& chosen_lights() const { return lights_; }
+  void use_light(size_t index);
+
+  // Empty when `spec` can run here: on this device, under these lights. Else the reason.
+  std::string unavailable(const TechniqueSpec& spec) const;
+  // One technique object per light: each keeps its own map.
+  std::vector<std::unique_ptr<Technique>> make_techniques(const TechniqueSpec& spec);
+  // Surface, masks of all lights, shading.
+  void record_frame(Recorder& recorder, std::span<const std::unique_ptr<Technique>> techniques);
+  // Shades with the mask as it lies in the frame. Returns the picture.
+  Image8 shade();
+  void draw_surface();  // only the surface buffer
+
+ private:
+  void make_frame(std::span<const Light> lights);
+
+  Device& device_;
+  ViewOptions options_;
+  Settings settings_;
+  Scene scene_;
+  Camera camera_;
+  std::vector<Light> lights_;
+  std::unique_ptr<GpuScene> gpu_scene_;
+  std::unique_ptr<Frame> frame_;
+  std::unique_ptr<TechniqueContext> context_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,52 @@
+// Everything that --set can reach: `id.key=value`, where id is a technique's part (single, pcf, bias, ...) or one of light, camera,
+// scene, frame, reference, measure.
+#pragma once
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/params.h"
+#include "shadow/technique.h"
+
+namespace gnomon {
+
+// Ids that belong to the laboratory, not to a technique: light, camera, frame, reference, measure.
+std::vector<std::pair<std::string, ParamTable>> lab_tables();
+
+class Settings {
+ public:
+  Settings();
+
+  // "pcf.size=5". Throws Error (usage) for a key that no part of the program reads, or a value out of range.
+  void assign(std::string_view assignment);
+
+  const ParamBlock& block(std::string_view id) const;  // of the laboratory
+  bool was_set(std::string_view key) const;            // "light.azimuth": given by the user, so it overrides the scene
+  void set_effective(std::string_view id, std::string_view name, double value);  // what the scene decided, for the record
+
+  // A technique's defaults with the user's assignments.
+  SettingsMap for_technique(const TechniqueSpec& spec) const;
+  // Options of a built-in scene.
+  const std::map<std::string, double>& scene_options() const { return scene_options_; }
+  // Throws Error (usage) when an assignment belongs to no technique of the list: a setting that does nothing is a mistake.
+  void check_used(const std::vector<const TechniqueSpec*>& techniques) const;
+
+  // All effective values for one technique: {"single": {...}, "light": {...}, ...}.
+  nlohmann::json to_json(const SettingsMap& technique) const;
+  // The assignments as given, for the command that repeats a row.
+  const std::vector<std::string>& assignments() const { return assignments_; }
+
+ private:
+  struct Assignment {
+    std::string id, name, value;
+  };
+  std::map<std::string, ParamBlock, std::less<>> blocks_;
+  std::vector<Assignment> of_techniques_;
+  std::map<std::string, double> scene_options_;
+  std::vector<std::string> assignments_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,152 @@
+// Which camera and which lights a picture has.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/error.h"
+#include "lab/lab_params.h"
+#include "lab/session.h"
+
+namespace gnomon {
+namespace {
+
+// The index that `text` names in a list of things with a name, or nullopt.
+template <class T>
+std::optional<size_t> find_named(const std::vector<T>& list, const std::string& text) {
+  for (size_t i = 0; i < list.size(); ++i) {
+    if (list[i].name == text) return i;
+  }
+  size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size() && number < list.size()) return number;
+  return std::nullopt;
+}
+
+template <class T>
+std::string names_of(const std::vector<T>& list) {
+  std::vector<std::string> names;
+  for (size_t i = 0; i < list.size(); ++i) names.push_back(fmt::format("{} ('{}')", i, list[i].name));
+  return names.empty() ? "none in this scene" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::optional<vec3> parse_point(std::string_view text) {
+  vec3 point;
+  for (int i = 0; i < 3; ++i) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), point[i]);
+    if (error != std::errc() || !std::isfinite(point[i])) return std::nullopt;
+    text.remove_prefix(static_cast<size_t>(end - text.data()));
+    if (i < 2) {
+      if (text.empty() || text.front() != ',') return std::nullopt;
+      text.remove_prefix(1);
+    }
+  }
+  return text.empty() ? std::optional(point) : std::nullopt;
+}
+
+// "eye:target" in metres.
+std::optional<Camera> parse_camera(const std::string& text, const Scene& scene) {
+  const size_t colon = text.find(':');
+  if (colon == text.npos) return std::nullopt;
+  const auto eye = parse_point(std::string_view(text).substr(0, colon)), target = parse_point(std::string_view(text).substr(colon + 1));
+  if (!eye || !target || *eye == *target) return std::nullopt;
+  Camera camera;
+  camera.name = text;
+  const vec3 forward = glm::normalize(*target - *eye);
+  const vec3 up = std::abs(forward.y) > 0.999f ? vec3(0, 0, -1) : vec3(0, 1, 0);
+  camera.world_from_view = glm::inverse(glm::lookAt(*eye, *target, up));
+  camera.far = std::max(2.0f * scene.bounds().radius() + glm::length(*eye - scene.bounds().centre()), 1.0f);
+  return camera;
+}
+
+float degrees(float radians) { return radians * 180.0f / k_pi; }
+float radians(double degree) { return static_cast<float>(degree) * k_pi / 180.0f; }
+
+vec3 sun_direction(const light_params::Params& params) {
+  const float azimuth = radians(params.azimuth), elevation = radians(params.elevation);
+  const vec3 to_sun(std::cos(elevation) * std::sin(azimuth), std::sin(elevation), -std::cos(elevation) * std::cos(azimuth));
+  return -glm::normalize(to_sun);
+}
+
+// The settings that the user gave override the scene's light.
+void override_light(Light& light, const Settings& settings) {
+  const auto params = settings.block("light").as<light_params::Params>();
+  if (light.kind == LightKind::directional) {
+    if (settings.was_set("light.azimuth") || settings.was_set("light.elevation")) {
+      light_params::Params merged = params;
+      const vec3 to_sun = -light.direction;
+      if (!settings.was_set("light.azimuth")) merged.azimuth = degrees(std::atan2(to_sun.x, -to_sun.z));
+      if (!settings.was_set("light.elevation")) merged.elevation = degrees(std::asin(glm::clamp(to_sun.y, -1.0f, 1.0f)));
+      light.direction = sun_direction(merged);
+    }
+    if (settings.was_set("light.angular_diameter")) light.angular_diameter = radians(params.angular_diameter);
+  }
+  if (settings.was_set("light.intensity")) light.intensity = params.intensity;
+}
+
+void record_light(const Light& light, Settings& settings) {
+  if (light.kind == LightKind::directional) {
+    const vec3 to_sun = -light.direction;
+    settings.set_effective("light", "azimuth", degrees(std::atan2(to_sun.x, -to_sun.z)));
+    settings.set_effective("light", "elevation", degrees(std::asin(glm::clamp(to_sun.y, -1.0f, 1.0f))));
+    settings.set_effective("light", "angular_diameter", degrees(light.angular_diameter));
+  }
+  settings.set_effective("light", "intensity", light.intensity);
+}
+
+Light default_sun(const Settings& settings) {
+  const auto params = settings.block("light").as<light_params::Params>();
+  Light sun;
+  sun.name = "sun";
+  sun.direction = sun_direction(params);
+  sun.angular_diameter = radians(params.angular_diameter);
+  sun.intensity = params.intensity;
+  return sun;
+}
+
+}  // namespace
+
+Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& settings) {
+  const float aspect = static_cast<float>(options.size.x) / static_cast<float>(options.size.y);
+  Camera camera;
+  if (options.camera.empty()) {
+    camera = scene.cameras.empty() ? framing_camera(scene, aspect) : scene.cameras.front();
+  } else if (options.camera == "frame") {
+    camera = framing_camera(scene, aspect);
+  } else if (const auto index = find_named(scene.cameras, options.camera)) {
+    camera = scene.cameras[*index];
+  } else if (const auto parsed = parse_camera(options.camera, scene)) {
+    camera = *parsed;
+  } else {
+    fail_usage("--camera {}: valid: 'frame', 'x,y,z:x,y,z' (eye and target in metres), or a camera of the scene: {}", options.camera,
+               names_of(scene.cameras));
+  }
+  if (settings.was_set("camera.vertical_fov")) camera.vertical_fov = radians(settings.block("camera").number("vertical_fov"));
+  if (settings.was_set("camera.near")) camera.near = static_cast<float>(settings.block("camera").number("near"));
+  settings.set_effective("camera", "vertical_fov", degrees(camera.vertical_fov));
+  settings.set_effective("camera", "near", camera.near);
+  return camera;
+}
+
+std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, Settings& settings) {
+  std::vector<Light> lights;
+  if (options.lights.empty()) {
+    const auto sun = std::find_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
+    lights.push_back(sun != scene.lights.end() ? *sun : default_sun(settings));
+  }
+  for (const std::string& text : options.lights) {
+    if (const auto index = find_named(scene.lights, text)) {
+      lights.push_back(scene.lights[*index]);
+    } else if (text == "all" && !scene.lights.empty()) {
+      lights.insert(lights.end(), scene.lights.begin(), scene.lights.end());
+    } else if (text == "sun") {
+      lights.push_back(default_sun(settings));
+    } else {
+      fail_usage("--light {}: valid: 'sun' (placed by the light settings), 'all', or a light of the scene: {}", text, names_of(scene.lights));
+    }
+  }
+  for (Light& light : lights) override_light(light, settings);
+  record_light(lights.front(), settings);
+  return lights;
+}
+
+}  // namespace gnomon

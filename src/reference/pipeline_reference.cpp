@@ -1,0 +1,70 @@
+// Dispatches of the reference's rays in pieces, so that no submission runs long enough to be taken for a hang.
+#include "reference/pipeline_reference.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "base/log.h"
+#include "gpu/recorder.h"
+#include "scene/light_shape.h"
+
+namespace gnomon {
+namespace {
+
+constexpr size_t k_rays_per_submission = size_t{1} << 22;
+
+}  // namespace
+
+PipelineReference::PipelineReference(Device& device, const AccelerationStructure& structure)
+    : device_(device), structure_(structure), pipeline_(make_visibility_pipeline(device, "reference/reference_points.rgen")) {}
+
+ReferenceResult PipelineReference::trace(const Frame& frame, const Light& light, bool area, int samples, uint32_t seed) const {
+  const Buffer points = frame.make_points();
+  const size_t count = frame.sample_count();
+  const Buffer answers(device_, "reference answers", count * sizeof(float));
+  const Buffer shape(device_, "reference light", sizeof(LightShape), BufferMemory::upload);
+  const LightShape light_on_gpu = light_shape(light, area);
+  std::memcpy(shape.mapped(), &light_on_gpu, sizeof light_on_gpu);
+  shape.flush();
+
+  struct Arguments {
+    uint64_t frame, scene, points, answers, light;
+    uint32_t first, count, samples, seed;
+    float plane_extent;
+  };
+  const size_t rays = light_on_gpu.emitter_radius > 0.0f ? static_cast<size_t>(samples) : 1;
+  const size_t piece = std::max<size_t>(k_rays_per_submission / rays, 64);
+  Progress progress("reference (GPU)", count);
+  for (size_t first = 0; first < count; first += piece) {
+    const size_t width = std::min(piece, count - first);
+    Recorder recorder(device_, TimingMode::play, false);
+    recorder.begin();
+    recorder.pass("reference", PassStage::other, {{points, Use::ray_read}, {answers, Use::ray_write}}, [&](Commands& commands) {
+      commands.push(Arguments{frame.data_address(), structure_.address(), points.address(), answers.address(), shape.address(),
+                              static_cast<uint32_t>(first), static_cast<uint32_t>(count), static_cast<uint32_t>(samples), seed,
+                              frame.scene().plane_extent()});
+      commands.trace(pipeline_, {static_cast<uint32_t>(width), 1});
+    });
+    recorder.finish();
+    progress.update(first + width);
+  }
+
+  ReferenceResult result;
+  result.visibility = read_back_as<float>(device_, answers, count);
+  result.receiver.resize(count);
+  double variance = 0.0;
+  size_t receivers = 0;
+  for (size_t i = 0; i < count; ++i) {
+    float& v = result.visibility[i];
+    result.receiver[i] = v >= 0.0f;
+    v = std::max(v, 0.0f);
+    if (!result.receiver[i]) continue;
+    ++receivers;
+    if (rays > 1) variance += static_cast<double>(v) * (1.0 - static_cast<double>(v)) / static_cast<double>(rays);
+  }
+  // As EmbreeReference: an upper bound, because the sequence is more even than independent samples.
+  if (receivers > 0) result.confidence = 1.96 * std::sqrt(variance) / static_cast<double>(receivers);
+  return result;
+}
+
+}  // namespace gnomon
