@@ -1,5 +1,5 @@
-// Closed forms of the charts against brute force on the same primitives (own ray tests, stratified disc), and against cases that
-// have a formula of their own.
+// Closed forms of the charts against brute force on the same primitives (own ray tests, stratified disc), and against cases
+// that have a formula of their own.
 #include "scene/builtin/closed_form.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,8 @@ constexpr double k_brute_force_error = 1.5e-3;
 
 // Compares at points of a grid on the floor; returns how many were partly lit, so that a test cannot pass without any.
 template <class Occluder, class Hits>
-int compare_on_floor(const Light& light, const Occluder& occluder, const Hits& hits, const dvec2& from, const dvec2& to, int side) {
+int compare_on_floor(const Light& light, const Occluder& occluder, const Hits& hits, const dvec2& from, const dvec2& to,
+                     int side) {
   int partial = 0;
   for (int i = 0; i < side; ++i) {
     for (int j = 0; j < side; ++j) {
@@ -108,7 +109,8 @@ TEST(closed_form, box_matches_brute_force) {
   const BoxOccluder box{{-3, 1, -2}, {0, 1.25, 2}};
   compare_on_floor(sun(k_slanted, 0.0), box, hits_box, {-5, -4}, {4, 5}, 60);
   EXPECT_GT(compare_on_floor(sun(k_slanted, 4.0), box, hits_box, {0.6, 0.0}, {1.4, 3.2}, 9), 10);  // an edge and a corner
-  EXPECT_GT(compare_on_floor(sun({0.01, -1, 0.02}, 4.0), box, hits_box, {-0.06, -0.5}, {0.06, 0.5}, 6), 10);  // both lower and upper edge
+  EXPECT_GT(compare_on_floor(sun({0.01, -1, 0.02}, 4.0), box, hits_box, {-0.06, -0.5}, {0.06, 0.5}, 6),
+            10);  // both lower and upper edge
 }
 
 TEST(closed_form, sphere_matches_brute_force) {
@@ -161,7 +163,8 @@ double sphere_by_quadrature(const dvec3& point, const Light& light, const Sphere
     const double a = slope * slope - k, b = along * slope, e = along * along - k;  // a r^2 + 2 b r + e >= 0, a < 0 near the sun
     const double root2 = b * b - a * e;
     if (root2 <= 0.0) continue;
-    const double r0 = std::clamp((-b + std::sqrt(root2)) / a, 0.0, f.radius), r1 = std::clamp((-b - std::sqrt(root2)) / a, 0.0, f.radius);
+    const double r0 = std::clamp((-b + std::sqrt(root2)) / a, 0.0, f.radius),
+                 r1 = std::clamp((-b - std::sqrt(root2)) / a, 0.0, f.radius);
     covered += r1 * r1 - r0 * r0;
   }
   return 1.0 - covered / (k_steps * f.radius * f.radius);

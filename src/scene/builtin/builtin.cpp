@@ -20,17 +20,26 @@ std::vector<BuiltinOption> with_sun(double elevation, double azimuth, std::vecto
 std::span<const BuiltinScene> builtin_scenes() {
   static const std::array<BuiltinScene, 5> scenes = {{
       {"chart/fence", "Alpha-tested bars over a floor, with the exact visibility of every floor point.",
-       with_sun(50, 12, {{"bars", 12, 1, 64, "Number of bars on four metres"}, {"gap", 0.2, 0.0, 5.0, "Height of the bars' lower end above the floor [m]"}}),
+       with_sun(50, 12,
+                {{"bars", 12, 1, 64, "Number of bars on four metres"},
+                 {"gap", 0.2, 0.0, 5.0, "Height of the bars' lower end above the floor [m]"}}),
        make_chart_fence},
       {"chart/slab", "A slab with a long straight edge over a floor, with the exact visibility of every floor point.",
        with_sun(50, 12, {{"gap", 1.0, 0.01, 5.0, "Height of the slab's underside above the floor [m]"}}), make_chart_slab},
       {"chart/sphere", "A sphere over a floor, with the exact visibility of every floor point.",
-       with_sun(50, 12, {{"radius", 0.5, 0.05, 3.0, "Radius of the sphere [m]"}, {"height", 0.5, 0.0, 5.0, "Height of its lowest point above the floor [m]"}}),
+       with_sun(50, 12,
+                {{"radius", 0.5, 0.05, 3.0, "Radius of the sphere [m]"},
+                 {"height", 0.5, 0.0, 5.0, "Height of its lowest point above the floor [m]"}}),
        make_chart_sphere},
-      {"courtyard", "A Mediterranean courtyard in the late afternoon: columns, iron fence, foliage, stairs and everything else that strains shadows.",
-       {}, make_courtyard},
-      {"terrain", "A height map of 135 x 135 vertices and a sculpture of 1.3 million.",
-       {{"detail", 1.0, 0.001, 4.0, "Vertices of the sculpture as a fraction of 1.3 million"}}, make_terrain},
+      {"courtyard",
+       "A Mediterranean courtyard in the late afternoon: columns, iron fence, foliage, stairs and everything else that strains "
+       "shadows.",
+       {},
+       make_courtyard},
+      {"terrain",
+       "A height map of 135 x 135 vertices and a sculpture of 1.3 million.",
+       {{"detail", 1.0, 0.001, 4.0, "Vertices of the sculpture as a fraction of 1.3 million"}},
+       make_terrain},
   }};
   return scenes;
 }

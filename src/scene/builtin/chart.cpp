@@ -11,7 +11,8 @@ namespace {
 
 // elevation above the horizon; azimuth 0 lets the light travel along +X, 90 along +Z.
 Light sun_of(const BuiltinOptions& options) {
-  const glm::dvec2 around = unit_circle(radians_of(options.at("azimuth"))), up = unit_circle(radians_of(options.at("elevation")));
+  const glm::dvec2 around = unit_circle(radians_of(options.at("azimuth"))),
+                   up = unit_circle(radians_of(options.at("elevation")));
   Light sun;
   sun.name = "sun";
   sun.direction = vec3(glm::dvec3(around.x * up.x, -up.y, around.y * up.x));

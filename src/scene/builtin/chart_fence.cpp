@@ -6,8 +6,8 @@
 namespace gnomon {
 namespace {
 
-constexpr int k_block = 16;        // texels
-constexpr float k_width = 4.0f;    // metres, of the quad
+constexpr int k_block = 16;      // texels
+constexpr float k_width = 4.0f;  // metres, of the quad
 constexpr float k_height = 1.5f;
 
 // Clear, opaque, clear, ..., clear: 2 * bars + 1 blocks.

@@ -15,7 +15,9 @@ double cross2(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 // Twice the signed area, within the disc, of the triangle (origin, a, b).
 double twice_sector_or_triangle(const dvec2& a, const dvec2& b, double radius) {
-  const auto sector = [&](const dvec2& p, const dvec2& q) { return radius * radius * std::atan2(cross2(p, q), glm::dot(p, q)); };
+  const auto sector = [&](const dvec2& p, const dvec2& q) {
+    return radius * radius * std::atan2(cross2(p, q), glm::dot(p, q));
+  };
   const dvec2 along = b - a;
   const double aa = glm::dot(along, along);
   if (aa == 0.0) return 0.0;
@@ -32,8 +34,8 @@ double twice_sector_or_triangle(const dvec2& a, const dvec2& b, double radius) {
 
 // The sun as a point sees it.
 struct SunDisc {
-  dvec3 w, u, v;   // toward the centre; the plane's axes
-  double radius;   // tan of half the angular diameter; 0 for a hard light
+  dvec3 w, u, v;  // toward the centre; the plane's axes
+  double radius;  // tan of half the angular diameter; 0 for a hard light
 };
 
 std::optional<SunDisc> sun_disc(const Light& light) {
@@ -51,7 +53,9 @@ std::optional<SunDisc> sun_disc(const Light& light) {
 // Metres. What is cut off lies closer to the receiver than this; corners stay within 1e6 of their distance on the sun's plane.
 constexpr double k_nearest = 1e-6;
 
-dvec2 projected(const SunDisc& sun, const dvec3& q) { return dvec2(glm::dot(q, sun.u), glm::dot(q, sun.v)) / glm::dot(q, sun.w); }
+dvec2 projected(const SunDisc& sun, const dvec3& q) {
+  return dvec2(glm::dot(q, sun.u), glm::dot(q, sun.v)) / glm::dot(q, sun.w);
+}
 
 // A planar convex polygon (corners relative to the receiver), cut to what lies in front of the receiver, on the sun's plane.
 std::vector<dvec2> projected_polygon(const SunDisc& sun, std::span<const dvec3> corners) {
@@ -67,7 +71,8 @@ std::vector<dvec2> projected_polygon(const SunDisc& sun, std::span<const dvec3> 
 
 // Andrew's monotone chain.
 std::vector<dvec2> convex_hull(std::vector<dvec2> points) {
-  std::sort(points.begin(), points.end(), [](const dvec2& a, const dvec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::sort(points.begin(), points.end(),
+            [](const dvec2& a, const dvec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   std::vector<dvec2> hull;
   const auto chain = [&hull](auto begin, auto end) {
     const size_t base = hull.size();
@@ -140,7 +145,8 @@ std::optional<double> closed_form_visibility(const dvec3& point, const Light& li
   if (sun->radius == 0.0) return ray_hits_box(point, sun->w, occluder) ? 0.0 : 1.0;
   const auto corner = [&](int index) {
     return dvec3(index & 1 ? occluder.max.x : occluder.min.x, index & 2 ? occluder.max.y : occluder.min.y,
-                 index & 4 ? occluder.max.z : occluder.min.z) - point;
+                 index & 4 ? occluder.max.z : occluder.min.z) -
+           point;
   };
   std::vector<dvec2> seen;  // the ends of all edges, cut to the front: their hull is the silhouette
   for (int low = 0; low < 8; ++low) {

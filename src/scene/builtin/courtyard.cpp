@@ -67,8 +67,9 @@ Scene make_courtyard(const BuiltinOptions&) {
   Scene scene;
   scene.name = "courtyard";
   const CourtyardMaterials materials = add_courtyard_materials(scene);
-  for (const auto add : {add_paving, add_colonnade, add_gate_wall, add_stairs, add_tower, add_garden_wall, add_fence, add_fountain, add_ball,
-                         add_crate_and_plank, add_lantern, add_amphora, add_olive_tree, add_cypresses, add_potted_shrubs}) {
+  for (const auto add :
+       {add_paving, add_colonnade, add_gate_wall, add_stairs, add_tower, add_garden_wall, add_fence, add_fountain, add_ball,
+        add_crate_and_plank, add_lantern, add_amphora, add_olive_tree, add_cypresses, add_potted_shrubs}) {
     add(scene, materials);
   }
   Light sun;

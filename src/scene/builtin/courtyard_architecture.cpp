@@ -9,25 +9,31 @@ namespace gnomon {
 namespace {
 
 // Front and back of one upright strip of wall, and its top; the lower edge may slope.
-void add_strip(MeshPart& part, const Arcade& arcade, float x0, float x1, float low0, float low1, float high, bool capped, float uv_scale) {
+void add_strip(MeshPart& part, const Arcade& arcade, float x0, float x1, float low0, float low1, float high, bool capped,
+               float uv_scale) {
   const float back = -arcade.thickness;
   const auto corner = [&](float x, float y, bool front) {
     return add_vertex(part, {x, y, front ? 0.0f : back}, {0, 0, front ? 1 : -1}, uv_scale * vec2(front ? x : -x, -y));
   };
   for (const bool front : {true, false}) {
-    const float left = front ? x0 : x1, right = front ? x1 : x0, low_left = front ? low0 : low1, low_right = front ? low1 : low0;
-    const uint32_t a = corner(left, low_left, front), b = corner(right, low_right, front), c = corner(right, high, front), d = corner(left, high, front);
+    const float left = front ? x0 : x1, right = front ? x1 : x0, low_left = front ? low0 : low1,
+                low_right = front ? low1 : low0;
+    const uint32_t a = corner(left, low_left, front), b = corner(right, low_right, front), c = corner(right, high, front),
+                   d = corner(left, high, front);
     add_triangle(part, a, b, c);
     add_triangle(part, a, c, d);
   }
-  if (capped) add_quad(part, {x0, high, 0}, {x1, high, 0}, {x1, high, back}, {x0, high, back}, uv_scale * vec2(x0, 0), uv_scale * vec2(x1, arcade.thickness));
+  if (capped)
+    add_quad(part, {x0, high, 0}, {x1, high, 0}, {x1, high, back}, {x0, high, back}, uv_scale * vec2(x0, 0),
+             uv_scale * vec2(x1, arcade.thickness));
 }
 
 // Upright face across the wall's thickness, seen from -X (or from +X).
 void add_jamb(MeshPart& part, const Arcade& arcade, float x, float low, float high, bool from_left, float uv_scale) {
   if (low == high) return;
   const float z0 = from_left ? -arcade.thickness : 0.0f, z1 = from_left ? 0.0f : -arcade.thickness;
-  add_quad(part, {x, low, z0}, {x, low, z1}, {x, high, z1}, {x, high, z0}, uv_scale * vec2(0, -high), uv_scale * vec2(arcade.thickness, -low));
+  add_quad(part, {x, low, z0}, {x, low, z1}, {x, high, z1}, {x, high, z0}, uv_scale * vec2(0, -high),
+           uv_scale * vec2(arcade.thickness, -low));
 }
 
 // One opening from its left jamb at x: wall above the arch and the arch's underside.
@@ -36,7 +42,8 @@ void add_arch(MeshPart& part, const Arcade& arcade, float x, float uv_scale) {
   std::array<vec2, 65> rim;
   for (int i = 0; i <= arcade.segments; ++i) {
     const glm::dvec2 turn = unit_circle(radians_of(180.0 * (arcade.segments - i) / arcade.segments));
-    rim[static_cast<size_t>(i)] = {centre + radius * static_cast<float>(turn.x), arcade.springing + radius * static_cast<float>(turn.y)};
+    rim[static_cast<size_t>(i)] = {centre + radius * static_cast<float>(turn.x),
+                                   arcade.springing + radius * static_cast<float>(turn.y)};
   }
   // Exactly where the supports end.
   rim[0] = {x, arcade.springing}, rim[static_cast<size_t>(arcade.segments)] = {x + arcade.opening, arcade.springing};
@@ -48,7 +55,8 @@ void add_arch(MeshPart& part, const Arcade& arcade, float x, float uv_scale) {
       return add_vertex(part, {p.x, p.y, z}, vec3(inward, 0), uv_scale * vec2(along, z));
     };
     const float step = 0.5f * k_pi * arcade.opening / static_cast<float>(arcade.segments), u = step * static_cast<float>(i);
-    const uint32_t a0 = at(a, 0, u), b0 = at(b, 0, u + step), b1 = at(b, -arcade.thickness, u + step), a1 = at(a, -arcade.thickness, u);
+    const uint32_t a0 = at(a, 0, u), b0 = at(b, 0, u + step), b1 = at(b, -arcade.thickness, u + step),
+                   a1 = at(a, -arcade.thickness, u);
     add_triangle(part, a0, a1, b1);
     add_triangle(part, a0, b1, b0);
   }
@@ -73,10 +81,12 @@ void add_arcade(MeshPart& part, const Arcade& arcade, float uv_scale) {
   for (int support = 0; support <= arcade.spans; ++support) {
     const float middle = static_cast<float>(support) * arcade.span, left = middle - half_pier, right = left + 2.0f * half_pier;
     // In two pieces, so that every edge meets an edge of the arch or of the jamb.
-    if (arcade.bottom < arcade.springing) add_strip(part, arcade, left, right, arcade.bottom, arcade.bottom, arcade.springing, false, uv_scale);
+    if (arcade.bottom < arcade.springing)
+      add_strip(part, arcade, left, right, arcade.bottom, arcade.bottom, arcade.springing, false, uv_scale);
     add_strip(part, arcade, left, right, arcade.springing, arcade.springing, arcade.top, true, uv_scale);
-    add_quad(part, {left, arcade.bottom, -arcade.thickness}, {right, arcade.bottom, -arcade.thickness}, {right, arcade.bottom, 0},
-             {left, arcade.bottom, 0}, uv_scale * vec2(left, 0), uv_scale * vec2(right, arcade.thickness));
+    add_quad(part, {left, arcade.bottom, -arcade.thickness}, {right, arcade.bottom, -arcade.thickness},
+             {right, arcade.bottom, 0}, {left, arcade.bottom, 0}, uv_scale * vec2(left, 0),
+             uv_scale * vec2(right, arcade.thickness));
     add_jamb(part, arcade, left, arcade.bottom, arcade.springing, true, uv_scale);
     add_jamb(part, arcade, right, arcade.bottom, arcade.springing, false, uv_scale);
     if (support == 0) add_jamb(part, arcade, left, arcade.springing, arcade.top, true, uv_scale);
@@ -105,14 +115,16 @@ void add_colonnade(Scene& scene, const CourtyardMaterials& materials) {
   constexpr int k_spans = 5;
   MeshPart column = part_of(materials.limestone);
   // A Tuscan column: plinth and abacus are boxes, between them a torus, a shaft with entasis, a necking and an echinus.
-  const std::vector<vec2> profile = {{0.24f, 0.12f}, {0.285f, 0.16f}, {0.285f, 0.20f}, {0.24f, 0.24f}, {0.225f, 0.25f}, {0.205f, 0.32f}, {0.205f, 0.95f},
-                                     {0.19f, 1.70f}, {0.165f, 2.36f}, {0.195f, 2.38f}, {0.195f, 2.42f}, {0.17f, 2.44f}, {0.17f, 2.52f}, {0.25f, 2.62f}};
+  const std::vector<vec2> profile = {{0.24f, 0.12f},  {0.285f, 0.16f}, {0.285f, 0.20f}, {0.24f, 0.24f},  {0.225f, 0.25f},
+                                     {0.205f, 0.32f}, {0.205f, 0.95f}, {0.19f, 1.70f},  {0.165f, 2.36f}, {0.195f, 2.38f},
+                                     {0.195f, 2.42f}, {0.17f, 2.44f},  {0.17f, 2.52f},  {0.25f, 2.62f}};
   add_lathe(column, profile, 16, {2.0f, 3.0f});
   add_box(column, {-0.30f, -0.25f, -0.30f}, {0.30f, 0.12f, 0.30f}, 0.7f);
   add_box(column, {-0.29f, 2.62f, -0.29f}, {0.29f, k_springing, 0.29f}, 0.7f);
   const int column_mesh = add_mesh(scene, "column", {column});
   for (int i = 0; i <= k_spans; ++i) {
-    add_object(scene, "column_" + std::to_string(i), column_mesh, translation({k_west + k_span * static_cast<float>(i), 0, k_north}));
+    add_object(scene, "column_" + std::to_string(i), column_mesh,
+               translation({k_west + k_span * static_cast<float>(i), 0, k_north}));
   }
   Arcade arcade;
   arcade.spans = k_spans, arcade.span = k_span, arcade.opening = 1.72f, arcade.bottom = arcade.springing = k_springing;
@@ -128,7 +140,8 @@ void add_colonnade(Scene& scene, const CourtyardMaterials& materials) {
 // Along x = 7, with a gate at the head of the stairs.
 void add_gate_wall(Scene& scene, const CourtyardMaterials& materials) {
   Arcade wall;
-  wall.spans = 1, wall.opening = 1.5f, wall.span = 8.25f, wall.bottom = -0.3f, wall.springing = 2.45f, wall.top = 4.7f, wall.thickness = 0.5f;
+  wall.spans = 1, wall.opening = 1.5f, wall.span = 8.25f, wall.bottom = -0.3f, wall.springing = 2.45f, wall.top = 4.7f,
+  wall.thickness = 0.5f;
   wall.segments = 16;
   MeshPart plaster = part_of(materials.plaster), trim = part_of(materials.limestone);
   add_arcade(plaster, wall, 0.4f);
@@ -138,7 +151,7 @@ void add_gate_wall(Scene& scene, const CourtyardMaterials& materials) {
   add_arcade(arch, frame, 0.8f);
   append(trim, arch, translation({0.5f * (wall.span - frame.span), 0, 0.08f}));
   add_box(trim, {-3.45f, 4.7f, -0.62f}, {11.7f, 4.86f, 0.12f}, 0.7f);  // coping
-  add_box(trim, {-3.38f, -0.3f, 0.0f}, {2.87f, 0.35f, 0.06f}, 0.7f);    // skirting on both sides of the stairs
+  add_box(trim, {-3.38f, -0.3f, 0.0f}, {2.87f, 0.35f, 0.06f}, 0.7f);   // skirting on both sides of the stairs
   add_box(trim, {5.38f, -0.3f, 0.0f}, {11.6f, 0.35f, 0.06f}, 0.7f);
   // x of the wall runs along +Z, its front looks to -X.
   const mat4 turn = mat4(vec4(0, 0, 1, 0), vec4(0, 1, 0, 0), vec4(-1, 0, 0, 0), vec4(7, 0, -3.2f, 1));
@@ -179,7 +192,8 @@ void add_stairs(Scene& scene, const CourtyardMaterials& materials) {
 
 // Slender bell tower in the north-west, whose shadow crosses the court up to the gate wall.
 void add_tower(Scene& scene, const CourtyardMaterials& materials) {
-  MeshPart stone = part_of(materials.masonry), trim = part_of(materials.limestone), roof = part_of(materials.terracotta), iron = part_of(materials.iron);
+  MeshPart stone = part_of(materials.masonry), trim = part_of(materials.limestone), roof = part_of(materials.terracotta),
+           iron = part_of(materials.iron);
   add_box(stone, {-0.8f, -0.3f, -0.8f}, {0.8f, 6.6f, 0.8f}, 0.45f);
   add_box(trim, {-0.92f, 6.6f, -0.92f}, {0.92f, 6.8f, 0.92f}, 0.7f);
   for (const float x : {-0.8f, 0.48f}) {  // an open belfry on four piers

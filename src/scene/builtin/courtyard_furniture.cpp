@@ -40,10 +40,12 @@ void add_fence(Scene& scene, const CourtyardMaterials& materials) {
 
 void add_fountain(Scene& scene, const CourtyardMaterials& materials) {
   MeshPart stone = part_of(materials.limestone);
-  const std::vector<vec2> basin = {{1.25f, -0.2f}, {1.25f, 0.10f}, {1.12f, 0.14f}, {1.08f, 0.42f}, {1.18f, 0.48f}, {1.20f, 0.56f}, {1.02f, 0.56f}, {0.98f, 0.22f}, {0.0f, 0.20f}};
+  const std::vector<vec2> basin = {{1.25f, -0.2f}, {1.25f, 0.10f}, {1.12f, 0.14f}, {1.08f, 0.42f}, {1.18f, 0.48f},
+                                   {1.20f, 0.56f}, {1.02f, 0.56f}, {0.98f, 0.22f}, {0.0f, 0.20f}};
   add_lathe(stone, basin, 24, {6.0f, 2.0f});
-  const std::vector<vec2> stem = {{0.24f, 0.18f}, {0.24f, 0.30f}, {0.13f, 0.38f}, {0.11f, 0.75f}, {0.20f, 0.98f}, {0.48f, 1.10f}, {0.56f, 1.20f},
-                                  {0.50f, 1.20f}, {0.10f, 1.12f}, {0.07f, 1.36f}, {0.14f, 1.44f}, {0.14f, 1.52f}, {0.0f, 1.64f}};
+  const std::vector<vec2> stem = {{0.24f, 0.18f}, {0.24f, 0.30f}, {0.13f, 0.38f}, {0.11f, 0.75f}, {0.20f, 0.98f},
+                                  {0.48f, 1.10f}, {0.56f, 1.20f}, {0.50f, 1.20f}, {0.10f, 1.12f}, {0.07f, 1.36f},
+                                  {0.14f, 1.44f}, {0.14f, 1.52f}, {0.0f, 1.64f}};
   add_lathe(stone, stem, 16, {3.0f, 3.0f});
   add_object(scene, "fountain", add_mesh(scene, "fountain", {stone}), translation({2.3f, 0, 0.6f}));
 }
@@ -73,7 +75,8 @@ void add_crate_and_plank(Scene& scene, const CourtyardMaterials& materials) {
   add_box(plank, {0.0f, 0.0f, -0.13f}, {k_length, k_board, 0.13f}, 0.9f);
   // From the ground in the east up to the crate's rim and a little beyond.
   const vec3 foot = on_ground(3.25f, 4.75f);
-  const vec3 rim = crate_foot + vec3(0, k_height, 0) + 0.28f * glm::normalize(vec3(foot.x - crate_foot.x, 0, foot.z - crate_foot.z));
+  const vec3 rim =
+      crate_foot + vec3(0, k_height, 0) + 0.28f * glm::normalize(vec3(foot.x - crate_foot.x, 0, foot.z - crate_foot.z));
   const vec3 along = glm::normalize(rim - foot), side = glm::normalize(glm::cross(along, vec3(0, 1, 0)));
   const mat4 lean(vec4(along, 0), vec4(glm::cross(side, along), 0), vec4(side, 0), vec4(foot, 1));
   add_object(scene, "plank", add_mesh(scene, "plank", {plank}), lean);
@@ -95,7 +98,8 @@ void add_lantern(Scene& scene, const CourtyardMaterials& materials) {
     const vec2 at = 0.24f * vec2(unit_circle(radians_of(60.0 * i)));
     add_box(iron, {at.x - 0.009f, -0.99f, at.y - 0.009f}, {at.x + 0.009f, -0.55f, at.y + 0.009f}, 1.0f);
   }
-  const std::vector<vec2> cap = {{0.0f, -0.56f}, {0.27f, -0.56f}, {0.10f, -0.42f}, {0.03f, -0.36f}, {0.012f, -0.34f}, {0.012f, 0.0f}};
+  const std::vector<vec2> cap = {{0.0f, -0.56f},  {0.27f, -0.56f},  {0.10f, -0.42f},
+                                 {0.03f, -0.36f}, {0.012f, -0.34f}, {0.012f, 0.0f}};
   add_lathe(iron, cap, 12, {1, 1});
   const std::vector<vec2> candle = {{0.0f, -1.0f}, {0.14f, -0.96f}, {0.17f, -0.76f}, {0.14f, -0.6f}, {0.0f, -0.57f}};
   add_lathe(glass, candle, 12, {1, 1});
@@ -104,14 +108,17 @@ void add_lantern(Scene& scene, const CourtyardMaterials& materials) {
 
 void add_amphora(Scene& scene, const CourtyardMaterials& materials) {
   MeshPart clay = part_of(materials.terracotta);
-  const std::vector<vec2> profile = {{0.0f, 0.0f}, {0.15f, 0.0f}, {0.17f, 0.05f}, {0.29f, 0.32f}, {0.32f, 0.52f}, {0.26f, 0.74f}, {0.13f, 0.88f},
-                                     {0.11f, 0.98f}, {0.165f, 1.06f}, {0.165f, 1.09f}, {0.11f, 1.09f}, {0.08f, 0.95f}, {0.0f, 0.6f}};
+  const std::vector<vec2> profile = {{0.0f, 0.0f},   {0.15f, 0.0f},  {0.17f, 0.05f}, {0.29f, 0.32f},  {0.32f, 0.52f},
+                                     {0.26f, 0.74f}, {0.13f, 0.88f}, {0.11f, 0.98f}, {0.165f, 1.06f}, {0.165f, 1.09f},
+                                     {0.11f, 1.09f}, {0.08f, 0.95f}, {0.0f, 0.6f}};
   add_lathe(clay, profile, 20, {2, 2});
   for (const float side : {-1.0f, 1.0f}) {
-    const std::vector<vec3> handle = {{side * 0.10f, 0.98f, 0}, {side * 0.25f, 1.02f, 0}, {side * 0.31f, 0.90f, 0}, {side * 0.25f, 0.72f, 0}};
+    const std::vector<vec3> handle = {
+        {side * 0.10f, 0.98f, 0}, {side * 0.25f, 1.02f, 0}, {side * 0.31f, 0.90f, 0}, {side * 0.25f, 0.72f, 0}};
     add_tube(clay, handle, std::vector<float>(handle.size(), 0.022f), 6, 1.0f);
   }
-  add_object(scene, "amphora", add_mesh(scene, "amphora", {clay}), translation(on_ground(5.6f, -1.55f) - vec3(0, 0.03f, 0)) * rotation({0, 1, 0}, radians_of(40.0)));
+  add_object(scene, "amphora", add_mesh(scene, "amphora", {clay}),
+             translation(on_ground(5.6f, -1.55f) - vec3(0, 0.03f, 0)) * rotation({0, 1, 0}, radians_of(40.0)));
 }
 
 }  // namespace gnomon

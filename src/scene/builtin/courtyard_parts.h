@@ -25,7 +25,7 @@ struct Arcade {
   float springing = 2.0f;  // where arches begin [m]
   float top = 3.5f;
   float thickness = 0.4f;
-  int segments = 12;       // of a half circle
+  int segments = 12;  // of a half circle
 };
 void add_arcade(MeshPart& part, const Arcade& arcade, float uv_scale);
 

@@ -30,11 +30,14 @@ std::vector<Leaf> leaves_of(const TwigStyle& style) {
   for (int i = 0; i < 2 * pairs + 1; ++i) {
     const float height = 0.08f + 0.70f * static_cast<float>(i / 2) / static_cast<float>(pairs);
     const float side = i == 2 * pairs ? 0.0f : i % 2 == 0 ? -1.0f : 1.0f;
-    const float angle = side * style.spread * random.range(0.75f, 1.15f) + random.range(-0.12f, 0.12f);
+    const float lean = side * style.spread * random.range(0.75f, 1.15f), angle = lean + random.range(-0.12f, 0.12f);
     const glm::dvec2 turn = unit_circle(angle);
     const float size = random.range(0.8f, 1.1f) * (1.0f - 0.35f * height);
-    leaves.push_back({{0.5f, height + random.range(-0.02f, 0.02f)}, vec2(float(turn.y), float(turn.x)), style.leaf_length * size,
-                      style.leaf_width * size, style.colour + style.colour_variation * random.range(-1.0f, 1.0f)});
+    leaves.push_back({{0.5f, height + random.range(-0.02f, 0.02f)},
+                      vec2(float(turn.y), float(turn.x)),
+                      style.leaf_length * size,
+                      style.leaf_width * size,
+                      style.colour + style.colour_variation * random.range(-1.0f, 1.0f)});
   }
   return leaves;
 }
@@ -87,7 +90,8 @@ bool is_iron(const vec2& point) {
   if (in_ring({to_gap, y}, {0.0f, 1.13f}, 0.080f, 0.009f)) return true;
   // A pair of scrolls at the foot of each second bar.
   const bool scrolled = static_cast<int>(cell) % 2 == 0;
-  return scrolled && (in_ring({std::abs(x), y}, {0.046f, 0.17f}, 0.038f, 0.008f) || in_ring({std::abs(x), y}, {0.036f, 0.243f}, 0.028f, 0.007f));
+  return scrolled && (in_ring({std::abs(x), y}, {0.046f, 0.17f}, 0.038f, 0.008f) ||
+                      in_ring({std::abs(x), y}, {0.036f, 0.243f}, 0.028f, 0.007f));
 }
 
 // Share of a texel that the shape covers, from 4 x 4 points.
@@ -125,7 +129,8 @@ Image8 iron_panel_texture(int size) {
   Image8 image(size, size);
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
-      const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size), v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size);
+      const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size),
+                  v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size);
       const float rust = smooth_step(0.52f, 0.70f, tiling_fractal(u, v, ivec2(12), 4, 900));
       const vec3 colour = glm::mix(vec3(0.17f, 0.16f, 0.16f), vec3(0.36f, 0.21f, 0.13f), rust);
       store(image.at(x, y), colour, coverage_of(x, y, size, [](const vec2& point) { return is_iron(point * k_panel); }));

@@ -14,14 +14,19 @@ constexpr double k_half_pi = 1.57079632679489661923;
 // Taylor series; the first omitted term is below 1e-16 on [-pi/4, pi/4].
 double small_sine(double x) {
   const double x2 = x * x;
-  return x * (1 + x2 * (-1.0 / 6 + x2 * (1.0 / 120 + x2 * (-1.0 / 5040 + x2 * (1.0 / 362880 +
-         x2 * (-1.0 / 39916800 + x2 * (1.0 / 6227020800.0 - x2 / 1307674368000.0)))))));
+  return x * (1 + x2 * (-1.0 / 6 +
+                        x2 * (1.0 / 120 + x2 * (-1.0 / 5040 +
+                                                x2 * (1.0 / 362880 + x2 * (-1.0 / 39916800 + x2 * (1.0 / 6227020800.0 -
+                                                                                                   x2 / 1307674368000.0)))))));
 }
 
 double small_cosine(double x) {
   const double x2 = x * x;
-  return 1 + x2 * (-1.0 / 2 + x2 * (1.0 / 24 + x2 * (-1.0 / 720 + x2 * (1.0 / 40320 + x2 * (-1.0 / 3628800 +
-         x2 * (1.0 / 479001600.0 + x2 * (-1.0 / 87178291200.0 + x2 / 20922789888000.0)))))));
+  return 1 + x2 * (-1.0 / 2 +
+                   x2 * (1.0 / 24 +
+                         x2 * (-1.0 / 720 + x2 * (1.0 / 40320 + x2 * (-1.0 / 3628800 + x2 * (1.0 / 479001600.0 +
+                                                                                             x2 * (-1.0 / 87178291200.0 +
+                                                                                                   x2 / 20922789888000.0)))))));
 }
 
 // sin(radians + quarters * pi / 2)
@@ -29,10 +34,14 @@ double sine_of_quarters(double radians, int64_t quarters) {
   const double nearest = std::floor(radians / k_half_pi + 0.5);
   const double rest = radians - nearest * k_half_pi;
   switch ((static_cast<int64_t>(nearest) + quarters) & 3) {
-    case 0: return small_sine(rest);
-    case 1: return small_cosine(rest);
-    case 2: return -small_sine(rest);
-    default: return -small_cosine(rest);
+    case 0:
+      return small_sine(rest);
+    case 1:
+      return small_cosine(rest);
+    case 2:
+      return -small_sine(rest);
+    default:
+      return -small_cosine(rest);
   }
 }
 
@@ -62,7 +71,9 @@ double radians_of(double degrees) { return degrees * (k_half_pi / 90.0); }
 mat4 rotation(const vec3& axis, double radians) {
   const glm::dvec3 a(axis);
   const double c = cosine(radians), s = sine(radians);
-  const auto column = [&](const glm::dvec3& e) { return vec4(vec3(e * c + glm::cross(a, e) * s + a * (glm::dot(a, e) * (1 - c))), 0); };
+  const auto column = [&](const glm::dvec3& e) {
+    return vec4(vec3(e * c + glm::cross(a, e) * s + a * (glm::dot(a, e) * (1 - c))), 0);
+  };
   return mat4(column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1}), vec4(0, 0, 0, 1));
 }
 
@@ -74,8 +85,8 @@ mat4 translation(const vec3& offset) {
 
 // One round over a linear mix (primes of Teschner et al. 2003): noise asks for hundreds of millions of these.
 uint32_t hash_cell(int x, int y, int z, uint32_t seed) {
-  return hash_uint(static_cast<uint32_t>(x) * 73856093u ^ static_cast<uint32_t>(y) * 19349663u ^ static_cast<uint32_t>(z) * 83492791u ^
-                   seed * 2654435761u);
+  return hash_uint(static_cast<uint32_t>(x) * 73856093u ^ static_cast<uint32_t>(y) * 19349663u ^
+                   static_cast<uint32_t>(z) * 83492791u ^ seed * 2654435761u);
 }
 
 float unit_random(int x, int y, uint32_t seed) { return unit_float(hash_cell(x, y, 0, seed)); }

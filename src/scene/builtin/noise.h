@@ -1,5 +1,6 @@
 // Trigonometry, hashes and noise that give the same bits on every machine: the C library's sin and cos choose their
-// instructions by processor, and the standard leaves random distributions open. Only + - * / and sqrt are used.
+// instructions by processor, and the standard leaves random distributions open. Only + - * / and sqrt are used; the build must not fuse
+// them (-ffp-contract=off where the target has fused multiply-add).
 #pragma once
 
 #include <cstdint>
@@ -22,11 +23,11 @@ mat4 translation(const vec3& offset);
 uint32_t hash_cell(int x, int y, int z, uint32_t seed);
 float unit_random(int x, int y, uint32_t seed);  // in [0, 1)
 
-// A sequence of numbers from one seed.
+// A sequence of numbers from one seed. One call per expression: compilers differ in the order in which they evaluate operands.
 class Random {
  public:
   explicit Random(uint32_t seed) : state_(seed) {}
-  float unit();                       // in [0, 1)
+  float unit();  // in [0, 1)
   float range(float low, float high) { return low + (high - low) * unit(); }
   vec3 on_sphere();
 

@@ -27,7 +27,8 @@ Image8 normals_from_heights(const std::vector<float>& heights, int size) {
   const auto height = [&](int x, int y) { return heights[static_cast<size_t>((y + size) % size) * size + (x + size) % size]; };
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
-      const float dx = 0.5f * scale * (height(x + 1, y) - height(x - 1, y)), dy = 0.5f * scale * (height(x, y + 1) - height(x, y - 1));
+      const float dx = 0.5f * scale * (height(x + 1, y) - height(x - 1, y)),
+                  dy = 0.5f * scale * (height(x, y + 1) - height(x, y - 1));
       store(image.at(x, y), 0.5f + 0.5f * glm::normalize(vec3(-dx, dy, 1.0f)), 1.0f);  // rows run downward
     }
   }
@@ -104,7 +105,8 @@ Texel stonework(const Stonework& s, float u, float v) {
   const float wave_v = s.waviness * centred(tiling_fractal(u, v, ivec2(8), 3, s.courses.seed + 20));
   const Block block = block_at(s.courses, u + wave_u, v + wave_v);
   const float stone = smooth_step(s.joint, s.joint + s.bevel, block.to_joint);
-  const float fine = tiling_fractal(u, v, ivec2(32), 4, s.courses.seed + 30), coarse = tiling_fractal(u, v, ivec2(6), 4, s.courses.seed + 40);
+  const float fine = tiling_fractal(u, v, ivec2(32), 4, s.courses.seed + 30),
+              coarse = tiling_fractal(u, v, ivec2(6), 4, s.courses.seed + 40);
   const float tone = std::clamp(0.55f * trait(block.id, 0) + 0.75f * (coarse - 0.35f) + 0.5f * (fine - 0.5f), 0.0f, 1.0f);
   vec3 colour = glm::mix(s.dark, s.light, tone);
   colour += vec3(0.035f, 0.0f, -0.035f) * centred(trait(block.id, 1));  // warmer and cooler stones
@@ -117,12 +119,14 @@ Texel stonework(const Stonework& s, float u, float v) {
 }  // namespace
 
 SurfaceTexture paving_texture(int size) {
-  const Stonework style{{7, 5, 0.5f, 100}, 0.0045f, 0.012f, 5.0f, 6.0f, {0.87f, 0.78f, 0.65f}, {0.59f, 0.52f, 0.43f}, {0.43f, 0.36f, 0.28f}, 0.008f};
+  const Stonework style{{7, 5, 0.5f, 100},     0.0045f, 0.012f, 5.0f, 6.0f, {0.87f, 0.78f, 0.65f}, {0.59f, 0.52f, 0.43f},
+                        {0.43f, 0.36f, 0.28f}, 0.008f};
   return bake(size, [&](float u, float v) { return stonework(style, u, v); });
 }
 
 SurfaceTexture masonry_texture(int size) {
-  const Stonework style{{6, 3, 0.4f, 200}, 0.004f, 0.010f, 6.0f, 7.0f, {0.84f, 0.72f, 0.55f}, {0.60f, 0.49f, 0.36f}, {0.50f, 0.42f, 0.32f}, 0.005f};
+  const Stonework style{{6, 3, 0.4f, 200},     0.004f, 0.010f, 6.0f, 7.0f, {0.84f, 0.72f, 0.55f}, {0.60f, 0.49f, 0.36f},
+                        {0.50f, 0.42f, 0.32f}, 0.005f};
   return bake(size, [&](float u, float v) { return stonework(style, u, v); });
 }
 
@@ -142,7 +146,8 @@ SurfaceTexture limestone_texture(int size) {
   return bake(size, [](float u, float v) -> Texel {
     const float cloud = tiling_fractal(u, v, ivec2(3), 5, 400), fine = tiling_fractal(u, v, ivec2(40), 3, 410);
     const float pit = smooth_step(0.74f, 0.86f, tiling_fractal(u, v, ivec2(48), 2, 420));
-    const vec3 colour = glm::mix(vec3(0.76f, 0.68f, 0.56f), vec3(0.92f, 0.86f, 0.74f), std::clamp(1.6f * cloud - 0.3f, 0.0f, 1.0f));
+    const vec3 colour =
+        glm::mix(vec3(0.76f, 0.68f, 0.56f), vec3(0.92f, 0.86f, 0.74f), std::clamp(1.6f * cloud - 0.3f, 0.0f, 1.0f));
     return {colour * (0.95f + 0.10f * (fine - 0.5f)) * (1.0f - 0.14f * pit), 2.5f * fine - 4.0f * pit + 4.0f * cloud};
   });
 }
@@ -150,7 +155,8 @@ SurfaceTexture limestone_texture(int size) {
 SurfaceTexture terracotta_texture(int size) {
   return bake(size, [](float u, float v) -> Texel {
     const float cloud = tiling_fractal(u, v, ivec2(5), 5, 500), fine = tiling_fractal(u, v, ivec2(40), 3, 510);
-    const vec3 colour = glm::mix(vec3(0.58f, 0.29f, 0.18f), vec3(0.84f, 0.53f, 0.36f), std::clamp(1.7f * cloud - 0.35f, 0.0f, 1.0f));
+    const vec3 colour =
+        glm::mix(vec3(0.58f, 0.29f, 0.18f), vec3(0.84f, 0.53f, 0.36f), std::clamp(1.7f * cloud - 0.35f, 0.0f, 1.0f));
     return {colour * (0.90f + 0.2f * (fine - 0.4f)), 3.0f * fine + 4.0f * cloud};
   });
 }
@@ -160,7 +166,8 @@ SurfaceTexture wood_texture(int size) {
     const float bend = tiling_fractal(u, v, ivec2(3), 3, 600);
     const float ring = 0.5f + 0.5f * static_cast<float>(sine(2.0 * k_pi * (8.0 * v + 2.0 * bend)));
     const float streak = tiling_noise(u * 8.0f, v * 128.0f, {8, 128}, 610);
-    const vec3 colour = glm::mix(vec3(0.40f, 0.27f, 0.17f), vec3(0.68f, 0.51f, 0.34f), std::clamp(0.55f * ring + 0.45f * streak, 0.0f, 1.0f));
+    const vec3 colour =
+        glm::mix(vec3(0.40f, 0.27f, 0.17f), vec3(0.68f, 0.51f, 0.34f), std::clamp(0.55f * ring + 0.45f * streak, 0.0f, 1.0f));
     return {colour, 2.0f * streak + 1.5f * ring};
   });
 }

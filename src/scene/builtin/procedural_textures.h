@@ -10,14 +10,14 @@ struct SurfaceTexture {
   Image8 colour, normal;  // tangent space, +Y up
 };
 
-SurfaceTexture paving_texture(int size);      // irregular setts in courses; a repeat is about two metres
-SurfaceTexture masonry_texture(int size);     // blocks of warm stone in courses
-SurfaceTexture plaster_texture(int size);     // ochre, stained and patched
-SurfaceTexture limestone_texture(int size);   // pale, dressed, pitted
+SurfaceTexture paving_texture(int size);     // irregular setts in courses; a repeat is about two metres
+SurfaceTexture masonry_texture(int size);    // blocks of warm stone in courses
+SurfaceTexture plaster_texture(int size);    // ochre, stained and patched
+SurfaceTexture limestone_texture(int size);  // pale, dressed, pitted
 SurfaceTexture terracotta_texture(int size);
-SurfaceTexture wood_texture(int size);        // grain along u
-SurfaceTexture bark_texture(int size);        // ridges along v
-SurfaceTexture soil_texture(int size);        // grass, earth and gravel
+SurfaceTexture wood_texture(int size);  // grain along u
+SurfaceTexture bark_texture(int size);  // ridges along v
+SurfaceTexture soil_texture(int size);  // grass, earth and gravel
 
 // A twig on a clear background, stem at the bottom centre, alpha with soft edges (alpha test at 0.5). The colour under clear
 // texels is the leaves' own, so that filtering bleeds no fringe.

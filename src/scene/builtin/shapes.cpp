@@ -33,11 +33,10 @@ uint32_t add_vertex(MeshPart& part, const vec3& position, const vec3& normal, co
   return static_cast<uint32_t>(part.positions.size() - 1);
 }
 
-void add_triangle(MeshPart& part, uint32_t a, uint32_t b, uint32_t c) {
-  part.indices.insert(part.indices.end(), {a, b, c});
-}
+void add_triangle(MeshPart& part, uint32_t a, uint32_t b, uint32_t c) { part.indices.insert(part.indices.end(), {a, b, c}); }
 
-void add_quad(MeshPart& part, const vec3& a, const vec3& b, const vec3& c, const vec3& d, const vec2& uv_min, const vec2& uv_max) {
+void add_quad(MeshPart& part, const vec3& a, const vec3& b, const vec3& c, const vec3& d, const vec2& uv_min,
+              const vec2& uv_max) {
   const vec3 normal = flat_normal(a, b, c);
   const uint32_t first = add_vertex(part, a, normal, {uv_min.x, uv_max.y});
   add_vertex(part, b, normal, uv_max);
@@ -64,31 +63,45 @@ void add_box(MeshPart& part, const vec3& min, const vec3& max, float uv_scale) {
 }
 
 void add_surface(MeshPart& part, const SurfaceGrid& grid, const std::function<glm::dvec3(double u, double v)>& at) {
-  constexpr double k_step = 1e-4;
+  // One point beyond each border, so that every vertex has neighbours on all sides.
+  const int stride = grid.columns + 3;
+  const auto parameter = [](int index, int count, bool closed) {
+    return double(closed ? (index + count) % count : index) / count;
+  };
+  std::vector<glm::dvec3> points;
+  points.reserve(static_cast<size_t>(stride) * (grid.rows + 3));
+  for (int row = -1; row <= grid.rows + 1; ++row) {
+    const double v = parameter(row, grid.rows, grid.closed_v);
+    for (int column = -1; column <= grid.columns + 1; ++column)
+      points.push_back(at(parameter(column, grid.columns, grid.closed_u), v));
+  }
   const auto first = static_cast<uint32_t>(part.positions.size());
   for (int row = 0; row <= grid.rows; ++row) {
     for (int column = 0; column <= grid.columns; ++column) {
-      const double u = double(grid.closed_u ? column % grid.columns : column) / grid.columns;
-      const double v = double(grid.closed_v ? row % grid.rows : row) / grid.rows;
-      const glm::dvec3 du = at(u + k_step, v) - at(u - k_step, v), dv = at(u, v + k_step) - at(u, v - k_step);
-      const vec2 uv(static_cast<float>(column) / static_cast<float>(grid.columns), static_cast<float>(row) / static_cast<float>(grid.rows));
-      add_vertex(part, vec3(at(u, v)), vec3(glm::normalize(glm::cross(du, dv))), uv * grid.uv_repeats);
+      const glm::dvec3* point = &points[static_cast<size_t>(row + 1) * stride + column + 1];
+      const vec2 uv(static_cast<float>(column) / static_cast<float>(grid.columns),
+                    static_cast<float>(row) / static_cast<float>(grid.rows));
+      const glm::dvec3 normal = glm::cross(point[1] - point[-1], point[stride] - point[-stride]);
+      add_vertex(part, vec3(*point), vec3(glm::normalize(normal)), uv * grid.uv_repeats);
     }
   }
-  const auto stride = static_cast<uint32_t>(grid.columns + 1);
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) add_cell(part, first + static_cast<uint32_t>(row) * stride + static_cast<uint32_t>(column), stride);
+  const auto vertices = static_cast<uint32_t>(grid.columns + 1);
+  for (uint32_t row = 0; row < static_cast<uint32_t>(grid.rows); ++row) {
+    for (uint32_t column = 0; column + 1 < vertices; ++column) add_cell(part, first + row * vertices + column, vertices);
   }
 }
 
 void add_sphere(MeshPart& part, const vec3& centre, float radius, int columns, int rows, const vec2& uv_repeats) {
   const auto first = static_cast<uint32_t>(part.positions.size());
   for (int row = 0; row <= rows; ++row) {
-    const glm::dvec2 meridian = row == 0 ? glm::dvec2(1, 0) : row == rows ? glm::dvec2(-1, 0) : unit_circle(0.5 * k_two_pi * row / rows);
+    const glm::dvec2 meridian = row == 0      ? glm::dvec2(1, 0)
+                                : row == rows ? glm::dvec2(-1, 0)
+                                              : unit_circle(0.5 * k_two_pi * row / rows);
     for (int column = 0; column <= columns; ++column) {
       const glm::dvec2 around = spoke(column, columns);
       const glm::dvec3 normal(meridian.y * around.x, meridian.x, -meridian.y * around.y);
-      const vec2 uv(static_cast<float>(column) / static_cast<float>(columns), static_cast<float>(row) / static_cast<float>(rows));
+      const vec2 uv(static_cast<float>(column) / static_cast<float>(columns),
+                    static_cast<float>(row) / static_cast<float>(rows));
       add_vertex(part, vec3(glm::dvec3(centre) + double(radius) * normal), vec3(normal), uv * uv_repeats);
     }
   }

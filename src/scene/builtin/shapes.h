@@ -1,5 +1,5 @@
-// Shapes that the built-in scenes are made of. Each function adds triangles to a part, with positions, normals and uvs; `finish`
-// adds the rest once a part is complete. `uv_scale` is texture repeats per metre unless said otherwise.
+// Shapes that the built-in scenes are made of. Each function adds triangles to a part, with positions, normals and uvs;
+// `finish` adds the rest once a part is complete. `uv_scale` is texture repeats per metre unless said otherwise.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,14 @@ uint32_t add_vertex(MeshPart& part, const vec3& position, const vec3& normal, co
 void add_triangle(MeshPart& part, uint32_t a, uint32_t b, uint32_t c);
 
 // Flat, counter-clockwise from a: a, b at the bottom, c, d at the top. uv_min belongs to d (top left), uv_max to b.
-void add_quad(MeshPart& part, const vec3& a, const vec3& b, const vec3& c, const vec3& d, const vec2& uv_min, const vec2& uv_max);
+void add_quad(MeshPart& part, const vec3& a, const vec3& b, const vec3& c, const vec3& d, const vec2& uv_min,
+              const vec2& uv_max);
 
 void add_box(MeshPart& part, const vec3& min, const vec3& max, float uv_scale);
 
 // A grid of (columns + 1) x (rows + 1) vertices over the unit square. `at(u, v)` gives the point; triangles face along
-// dP/du x dP/dv. Normals are central differences of `at`, which must therefore be defined a little outside the square.
+// dP/du x dP/dv. Normals come from the neighbours in the grid: `at` must be defined one cell beyond a border that is not
+// closed.
 struct SurfaceGrid {
   int columns = 1, rows = 1;
   bool closed_u = false, closed_v = false;  // the last row or column coincides with the first, bit for bit

@@ -2,7 +2,6 @@
 // 2048 x 2048 texels and a view of 800 x 600). The model is a torus knot, carved in spirals and weathered, on a plinth.
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "scene/builtin/builtin.h"
 #include "scene/builtin/noise.h"
@@ -26,7 +25,7 @@ double square(double value) { return value * value; }
 double terrain_height(double x, double z) {
   const double distance = std::sqrt(x * x + z * z);
   const double outward = smooth_step(5.0f, 26.0f, static_cast<float>(distance));
-  const double ridge = 1.0 - std::abs(2.0 * fractal({0.045 * x, 0.5, 0.045 * z}, 5, 11) - 1.0);
+  const double ridge = 1.0 - std::abs(2.0 * fractal({0.045 * x, 0.5, 0.045 * z}, 4, 11) - 1.0);
   const double rolling = 0.5 * (fractal({0.25 * x, 2.5, 0.25 * z}, 3, 17) - 0.5);
   return outward * (7.5 * square(ridge) - 2.5 + 0.10 * std::max(0.0, distance - 20.0)) + rolling * (0.15 + 0.85 * outward);
 }
@@ -55,31 +54,9 @@ dvec3 sculpture(double u, double v) {
   return centre + (0.42 + 0.12 * flute + 0.16 * weather + 0.012 * chisel) * out;
 }
 
-void add_sculpture(MeshPart& part, double detail) {
-  const int columns = std::max(24, static_cast<int>(k_around * std::sqrt(detail) + 0.5));
-  const int rows = std::max(12, static_cast<int>(k_across * std::sqrt(detail) + 0.5));
-  std::vector<dvec3> points(static_cast<size_t>(columns) * rows);
-  const auto at = [&](int column, int row) -> dvec3& {
-    return points[static_cast<size_t>((row + rows) % rows) * columns + (column + columns) % columns];
-  };
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) at(column, row) = sculpture(double(column) / columns, double(row) / rows);
-  }
-  for (int row = 0; row <= rows; ++row) {
-    for (int column = 0; column <= columns; ++column) {
-      const dvec3 du = at(column + 1, row) - at(column - 1, row), dv = at(column, row + 1) - at(column, row - 1);
-      const vec2 uv(18.0f * static_cast<float>(column) / static_cast<float>(columns), 3.0f * static_cast<float>(row) / static_cast<float>(rows));
-      add_vertex(part, vec3(at(column, row)), vec3(glm::normalize(glm::cross(du, dv))), uv);
-    }
-  }
-  const auto stride = static_cast<uint32_t>(columns + 1);
-  for (uint32_t row = 0; row < static_cast<uint32_t>(rows); ++row) {
-    for (uint32_t column = 0; column + 1 < stride; ++column) {
-      const uint32_t a = row * stride + column, b = a + stride;
-      add_triangle(part, a, a + 1, b + 1);
-      add_triangle(part, a, b + 1, b);
-    }
-  }
+SurfaceGrid sculpture_grid(double detail) {
+  const auto scaled = [scale = std::sqrt(detail)](int count) { return std::max(12, static_cast<int>(count * scale + 0.5)); };
+  return {scaled(k_around), scaled(k_across), true, true, {18, 3}};
 }
 
 int textured(Scene& scene, const std::string& name, SurfaceTexture texture, const vec3& tint, float specular) {
@@ -105,8 +82,9 @@ Scene make_terrain(const BuiltinOptions& options) {
   add_object(scene, "terrain", add_mesh(scene, "terrain", {ground}));
 
   MeshPart model = part_of(textured(scene, "marble", limestone_texture(256), {0.95f, 0.90f, 0.84f}, 0.15f));
-  add_sculpture(model, options.at("detail"));
-  add_object(scene, "sculpture", add_mesh(scene, "sculpture", {std::move(model)}), translation({0, 5.22f, 0}) * rotation({0, 1, 0}, radians_of(-28.0)) * rotation({0, 0, 1}, radians_of(30.0)));
+  add_surface(model, sculpture_grid(options.at("detail")), sculpture);
+  add_object(scene, "sculpture", add_mesh(scene, "sculpture", {std::move(model)}),
+             translation({0, 5.22f, 0}) * rotation({0, 1, 0}, radians_of(-28.0)) * rotation({0, 0, 1}, radians_of(30.0)));
 
   MeshPart plinth = part_of(textured(scene, "plinth", masonry_texture(512), vec3(1.0f), 0.0f));
   add_box(plinth, {-1.5f, -0.6f, -1.5f}, {1.5f, 0.45f, 1.5f}, 0.5f);
