@@ -1,6 +1,6 @@
 // Trigonometry, hashes and noise that give the same bits on every machine: the C library's sin and cos choose their
-// instructions by processor, and the standard leaves random distributions open. Only + - * / and sqrt are used; the build must not fuse
-// them (-ffp-contract=off where the target has fused multiply-add).
+// instructions by processor, and the standard leaves random distributions open. Only + - * / and sqrt are used; the build
+// must not fuse them (-ffp-contract=off where the target has fused multiply-add).
 #pragma once
 
 #include <cstdint>
