@@ -92,7 +92,7 @@ TEST(VisibilityError, RefusesMasksThatAreNoVisibility) {
 
 TEST(VisibilityError, MapTellsFalseShadowFromFalseLight) {
   Image8 shaded(4, 1);
-  for (size_t i = 0; i < shaded.rgba.size(); ++i) shaded.rgba[i] = 128;
+  for (uint8_t& value : shaded.rgba) value = 128;
   // Per pixel two samples: false shadow, false light, agreement, error of a sample that is no receiver.
   const Floats mask = {0, 0, 1, 1, 0.5f, 1, 0, 0}, reference = {1, 1, 0, 0, 0.5f, 1, 1, 1};
   const Image8 map = signed_error_map(mask, reference, Bytes{1, 1, 1, 1, 1, 1, 0, 0}, 2, shaded);
