@@ -14,8 +14,8 @@ layout(push_constant, scalar) uniform Push {
 layout(local_size_x = 8, local_size_y = 8) in;
 
 vec4 fetch(uint image, ivec2 at, int s) {
-  if (k_samples == 1) return texelFetch(textures_2d[image], at, 0);
-  return texelFetch(textures_2d_ms[image], at, s);
+  if (k_samples == 1) return texelFetch(images_2d[image], at, 0);
+  return texelFetch(images_2d_ms[image], at, s);
 }
 
 // How much of a light's radiance a point receives, before visibility: the glTF rules for range and cone.

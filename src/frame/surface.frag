@@ -19,7 +19,7 @@ layout(location = 1) out vec4 normal_out;
 layout(location = 2) out vec2 id_out;
 
 vec4 sample_material(uint image, uint wrap, vec2 at) {
-  return texture(sampler2D(textures_2d[nonuniformEXT(image)], samplers[nonuniformEXT(wrap)]), at);
+  return texture(sampler2D(material_textures[nonuniformEXT(image)], samplers[nonuniformEXT(wrap)]), at);
 }
 
 vec3 shading_normal(MaterialData material, bool front) {

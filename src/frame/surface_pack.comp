@@ -11,8 +11,8 @@ layout(push_constant, scalar) uniform Push { FrameDataRef frame; };
 layout(local_size_x = 8, local_size_y = 8) in;
 
 vec4 fetch(uint image, ivec2 at, int s) {
-  if (k_samples == 1) return texelFetch(textures_2d[image], at, 0);
-  return texelFetch(textures_2d_ms[image], at, s);
+  if (k_samples == 1) return texelFetch(images_2d[image], at, 0);
+  return texelFetch(images_2d_ms[image], at, s);
 }
 
 float view_z_of_depth(CameraData camera, float depth) {

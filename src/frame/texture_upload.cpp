@@ -33,6 +33,7 @@ Image upload_texture(Device& device, const Texture& texture) {
   ImageInfo info;
   info.name = "texture " + texture.name;
   info.width = width, info.height = height;
+  info.material = true;
   info.format = texture.srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM;
   info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   info.mips = static_cast<uint32_t>(std::bit_width(std::max(width, height)));

@@ -7,48 +7,72 @@
 
 namespace gnomon {
 
-Bindless::Bindless(VkDevice device, float max_anisotropy, VkShaderStageFlags stages) : device_(device) {
-  const std::array<VkDescriptorSetLayoutBinding, 3> bindings = {{
-      {0, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, k_max_images, stages, nullptr},
-      {1, VK_DESCRIPTOR_TYPE_SAMPLER, k_max_samplers, stages, nullptr},
-      {2, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, k_max_storage_images, stages, nullptr},
-  }};
-  constexpr VkDescriptorBindingFlags k_partial = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;
-  constexpr VkDescriptorBindingFlags k_late = k_partial | VK_DESCRIPTOR_BINDING_UPDATE_AFTER_BIND_BIT;
-  const std::array<VkDescriptorBindingFlags, 3> flags = {k_late, k_partial, k_late};
-  VkDescriptorSetLayoutBindingFlagsCreateInfo flags_info = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
-  flags_info.bindingCount = 3;
-  flags_info.pBindingFlags = flags.data();
-  VkDescriptorSetLayoutCreateInfo layout = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, &flags_info};
-  layout.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_UPDATE_AFTER_BIND_POOL_BIT;
-  layout.bindingCount = 3;
-  layout.pBindings = bindings.data();
-  vk_check(vkCreateDescriptorSetLayout(device_, &layout, nullptr, &set_layout_), "vkCreateDescriptorSetLayout");
+namespace {
 
-  const std::array<VkDescriptorPoolSize, 3> sizes = {{{VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, k_max_images},
-                                                      {VK_DESCRIPTOR_TYPE_SAMPLER, k_max_samplers},
-                                                      {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, k_max_storage_images}}};
+struct Binding {
+  uint32_t set, binding;
+  VkDescriptorType type;
+  uint32_t count;
+  VkDescriptorBindingFlags flags;
+};
+
+constexpr VkDescriptorBindingFlags k_partial = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;
+constexpr VkDescriptorBindingFlags k_late = k_partial | VK_DESCRIPTOR_BINDING_UPDATE_AFTER_BIND_BIT;
+// In the order of Bindless::Kind, then the samplers.
+constexpr std::array<Binding, 4> k_bindings = {{
+    {0, 0, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, Bindless::k_max_images, k_late},
+    {1, 0, VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, Bindless::k_max_images, k_late},
+    {1, 1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, Bindless::k_max_storage_images, k_late},
+    {0, 1, VK_DESCRIPTOR_TYPE_SAMPLER, Bindless::k_max_samplers, k_partial},
+}};
+constexpr const Binding& k_sampler_binding = k_bindings[3];
+
+}  // namespace
+
+Bindless::Bindless(VkDevice device, float max_anisotropy, VkShaderStageFlags stages) : device_(device) {
+  create_layouts(stages);
+  std::vector<VkDescriptorPoolSize> sizes;
+  for (const Binding& binding : k_bindings) sizes.push_back({binding.type, binding.count});
   VkDescriptorPoolCreateInfo pool = {VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   pool.flags = VK_DESCRIPTOR_POOL_CREATE_UPDATE_AFTER_BIND_BIT;
-  pool.maxSets = 1;
-  pool.poolSizeCount = 3;
+  pool.maxSets = 2;
+  pool.poolSizeCount = static_cast<uint32_t>(sizes.size());
   pool.pPoolSizes = sizes.data();
   vk_check(vkCreateDescriptorPool(device_, &pool, nullptr, &pool_), "vkCreateDescriptorPool");
 
   VkDescriptorSetAllocateInfo allocate = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
   allocate.descriptorPool = pool_;
-  allocate.descriptorSetCount = 1;
-  allocate.pSetLayouts = &set_layout_;
-  vk_check(vkAllocateDescriptorSets(device_, &allocate, &set_), "vkAllocateDescriptorSets");
+  allocate.descriptorSetCount = 2;
+  allocate.pSetLayouts = set_layouts_.data();
+  vk_check(vkAllocateDescriptorSets(device_, &allocate, sets_.data()), "vkAllocateDescriptorSets");
+  create_samplers(max_anisotropy);
+}
 
+void Bindless::create_layouts(VkShaderStageFlags stages) {
+  for (uint32_t set = 0; set < 2; ++set) {
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    std::vector<VkDescriptorBindingFlags> flags;
+    for (const Binding& binding : k_bindings) {
+      if (binding.set != set) continue;
+      bindings.push_back({binding.binding, binding.type, binding.count, stages, nullptr});
+      flags.push_back(binding.flags);
+    }
+    VkDescriptorSetLayoutBindingFlagsCreateInfo flags_info = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
+    flags_info.bindingCount = static_cast<uint32_t>(flags.size());
+    flags_info.pBindingFlags = flags.data();
+    VkDescriptorSetLayoutCreateInfo layout = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, &flags_info};
+    layout.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_UPDATE_AFTER_BIND_POOL_BIT;
+    layout.bindingCount = static_cast<uint32_t>(bindings.size());
+    layout.pBindings = bindings.data();
+    vk_check(vkCreateDescriptorSetLayout(device_, &layout, nullptr, &set_layouts_[set]), "vkCreateDescriptorSetLayout");
+  }
   const VkPushConstantRange range = {stages, 0, k_push_constant_bytes};
   VkPipelineLayoutCreateInfo pipeline = {VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-  pipeline.setLayoutCount = 1;
-  pipeline.pSetLayouts = &set_layout_;
+  pipeline.setLayoutCount = 2;
+  pipeline.pSetLayouts = set_layouts_.data();
   pipeline.pushConstantRangeCount = 1;
   pipeline.pPushConstantRanges = &range;
   vk_check(vkCreatePipelineLayout(device_, &pipeline, nullptr, &pipeline_layout_), "vkCreatePipelineLayout");
-  create_samplers(max_anisotropy);
 }
 
 void Bindless::create_samplers(float max_anisotropy) {
@@ -91,8 +115,8 @@ void Bindless::create_samplers(float max_anisotropy) {
     images[i].sampler = samplers_[i];
   }
   VkWriteDescriptorSet write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-  write.dstSet = set_;
-  write.dstBinding = 1;
+  write.dstSet = sets_[k_sampler_binding.set];
+  write.dstBinding = k_sampler_binding.binding;
   write.descriptorCount = static_cast<uint32_t>(images.size());
   write.descriptorType = VK_DESCRIPTOR_TYPE_SAMPLER;
   write.pImageInfo = images.data();
@@ -103,42 +127,28 @@ Bindless::~Bindless() {
   for (const VkSampler sampler : samplers_) vkDestroySampler(device_, sampler, nullptr);
   vkDestroyPipelineLayout(device_, pipeline_layout_, nullptr);
   vkDestroyDescriptorPool(device_, pool_, nullptr);
-  vkDestroyDescriptorSetLayout(device_, set_layout_, nullptr);
+  for (const VkDescriptorSetLayout layout : set_layouts_) vkDestroyDescriptorSetLayout(device_, layout, nullptr);
 }
 
-uint32_t Bindless::take(std::vector<uint32_t>& free, uint32_t& next, uint32_t limit, const char* what) {
-  if (!free.empty()) {
-    const uint32_t index = free.back();
-    free.pop_back();
-    return index;
+uint32_t Bindless::add(Kind kind, VkImageView view) {
+  const Binding& binding = k_bindings[static_cast<size_t>(kind)];
+  Slots& slots = slots_[static_cast<size_t>(kind)];
+  if (slots.free.empty() && slots.next == binding.count) fail("more than {} images of one kind are in use at once", binding.count);
+  uint32_t index = slots.next;
+  if (slots.free.empty()) {
+    ++slots.next;
+  } else {
+    index = slots.free.back();
+    slots.free.pop_back();
   }
-  if (next == limit) fail("more than {} {} are in use at once", limit, what);
-  return next++;
-}
-
-uint32_t Bindless::add_sampled(VkImageView view) {
-  const uint32_t index = take(free_sampled_, next_sampled_, k_max_images, "sampled images");
-  const VkDescriptorImageInfo image = {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+  const bool storage = kind == Kind::storage;
+  const VkDescriptorImageInfo image = {VK_NULL_HANDLE, view, storage ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
   VkWriteDescriptorSet write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-  write.dstSet = set_;
-  write.dstBinding = 0;
+  write.dstSet = sets_[binding.set];
+  write.dstBinding = binding.binding;
   write.dstArrayElement = index;
   write.descriptorCount = 1;
-  write.descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
-  write.pImageInfo = &image;
-  vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
-  return index;
-}
-
-uint32_t Bindless::add_storage(VkImageView view) {
-  const uint32_t index = take(free_storage_, next_storage_, k_max_storage_images, "storage images");
-  const VkDescriptorImageInfo image = {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL};
-  VkWriteDescriptorSet write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-  write.dstSet = set_;
-  write.dstBinding = 2;
-  write.dstArrayElement = index;
-  write.descriptorCount = 1;
-  write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  write.descriptorType = binding.type;
   write.pImageInfo = &image;
   vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
   return index;

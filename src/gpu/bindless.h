@@ -1,6 +1,9 @@
-// The one descriptor set: sampled images, samplers and storage images by index. Buffers go by device address.
+// The two descriptor sets that every pipeline has: what a scene brings (material textures, samplers) and what a frame makes (maps,
+// attachments, storage images), each by index. Buffers go by device address. Two sets, because synchronization validation takes
+// every descriptor of an array for used: draws that read materials would else "read" the image they are drawing to.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,12 +27,11 @@ class Bindless {
   Bindless& operator=(const Bindless&) = delete;
 
   VkPipelineLayout pipeline_layout() const { return pipeline_layout_; }
-  VkDescriptorSet set() const { return set_; }
+  const std::array<VkDescriptorSet, 2>& sets() const { return sets_; }
 
-  uint32_t add_sampled(VkImageView view);
-  uint32_t add_storage(VkImageView view);
-  void remove_sampled(uint32_t index) { free_sampled_.push_back(index); }
-  void remove_storage(uint32_t index) { free_storage_.push_back(index); }
+  enum class Kind : uint32_t { material, frame, storage };
+  uint32_t add(Kind kind, VkImageView view);
+  void remove(Kind kind, uint32_t index) { slots_[static_cast<size_t>(kind)].free.push_back(index); }
 
   // The anisotropic, mipmapped sampler of material textures with the given wrap modes (0 repeat, 1 clamp, 2 mirror).
   static uint32_t material_sampler(uint32_t wrap_u, uint32_t wrap_v) {
@@ -37,17 +39,20 @@ class Bindless {
   }
 
  private:
+  struct Slots {
+    std::vector<uint32_t> free;
+    uint32_t next = 0;
+  };
+  void create_layouts(VkShaderStageFlags stages);
   void create_samplers(float max_anisotropy);
-  uint32_t take(std::vector<uint32_t>& free, uint32_t& next, uint32_t limit, const char* what);
 
   VkDevice device_;
-  VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+  std::array<VkDescriptorSetLayout, 2> set_layouts_ = {};
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
-  VkDescriptorSet set_ = VK_NULL_HANDLE;
+  std::array<VkDescriptorSet, 2> sets_ = {};
   VkPipelineLayout pipeline_layout_ = VK_NULL_HANDLE;
   std::vector<VkSampler> samplers_;
-  std::vector<uint32_t> free_sampled_, free_storage_;
-  uint32_t next_sampled_ = 0, next_storage_ = 0;
+  std::array<Slots, 3> slots_;  // by Kind
 };
 
 }  // namespace gnomon

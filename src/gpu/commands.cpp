@@ -6,8 +6,8 @@ namespace gnomon {
 
 void Commands::bind(const Pipeline& pipeline) {
   vkCmdBindPipeline(commands_, pipeline.bind_point(), pipeline.handle());
-  const VkDescriptorSet set = device_->bindless().set();
-  vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), device_->pipeline_layout(), 0, 1, &set, 0, nullptr);
+  const auto& sets = device_->bindless().sets();
+  vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), device_->pipeline_layout(), 0, 2, sets.data(), 0, nullptr);
 }
 
 void Commands::push_bytes(std::span<const std::byte> bytes) {

@@ -62,17 +62,19 @@ void Image::create_views() {
       vk_check(vkCreateImageView(device_->handle(), &view, nullptr, &layer_views_.back()), "vkCreateImageView");
     }
   }
-  if (info_.usage & VK_IMAGE_USAGE_SAMPLED_BIT) sampled_ = device_->bindless().add_sampled(view_);
-  if (info_.usage & VK_IMAGE_USAGE_STORAGE_BIT) storage_ = device_->bindless().add_storage(view_);
+  const auto sampled_kind = info_.material ? Bindless::Kind::material : Bindless::Kind::frame;
+  if (info_.usage & VK_IMAGE_USAGE_SAMPLED_BIT) sampled_ = device_->bindless().add(sampled_kind, view_);
+  if (info_.usage & VK_IMAGE_USAGE_STORAGE_BIT) storage_ = device_->bindless().add(Bindless::Kind::storage, view_);
 }
 
 void Image::release() noexcept {
   if (!image_) return;
   device_->note_allocation(-static_cast<int64_t>(bytes_));
   device_->defer([device = device_, image = image_, allocation = allocation_, view = view_, layer_views = layer_views_,
-                  sampled = sampled_, storage = storage_] {
-    if (sampled != k_no_index) device->bindless().remove_sampled(sampled);
-    if (storage != k_no_index) device->bindless().remove_storage(storage);
+                  sampled = sampled_, storage = storage_,
+                  sampled_kind = info_.material ? Bindless::Kind::material : Bindless::Kind::frame] {
+    if (sampled != k_no_index) device->bindless().remove(sampled_kind, sampled);
+    if (storage != k_no_index) device->bindless().remove(Bindless::Kind::storage, storage);
     for (const VkImageView layer_view : layer_views) vkDestroyImageView(device->handle(), layer_view, nullptr);
     vkDestroyImageView(device->handle(), view, nullptr);
     vmaDestroyImage(device->allocator(), image, allocation);

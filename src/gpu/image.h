@@ -19,7 +19,8 @@ struct ImageInfo {
   uint32_t layers = 1;
   uint32_t mips = 1;
   uint32_t samples = 1;
-  bool array = false;  // sampled as an array even with one layer
+  bool array = false;     // sampled as an array even with one layer
+  bool material = false;  // belongs to a scene: goes into the first descriptor set (gpu/bindless.h)
 };
 
 class Image {

@@ -10,15 +10,15 @@ bool alpha_exists(MaterialData material, vec2 uv) {
   float alpha = material.base_colour.a;
   if (material.base_texture != k_no_texture_index) {
     uint image = material.base_texture;
-    ivec2 size = textureSize(textures_2d[nonuniformEXT(image)], 0);
+    ivec2 size = textureSize(material_textures[nonuniformEXT(image)], 0);
     vec2 position = texel_position(transform_uv(material.base_uv_u, material.base_uv_v, uv), size);
     ivec2 low = texel_below(position);
     int x0 = wrap_texel(low.x, size.x, material.base_wrap_u), x1 = wrap_texel(low.x + 1, size.x, material.base_wrap_u);
     int y0 = wrap_texel(low.y, size.y, material.base_wrap_v), y1 = wrap_texel(low.y + 1, size.y, material.base_wrap_v);
-    alpha *= bilinear_alpha(texelFetch(textures_2d[nonuniformEXT(image)], ivec2(x0, y0), 0).a,
-                            texelFetch(textures_2d[nonuniformEXT(image)], ivec2(x1, y0), 0).a,
-                            texelFetch(textures_2d[nonuniformEXT(image)], ivec2(x0, y1), 0).a,
-                            texelFetch(textures_2d[nonuniformEXT(image)], ivec2(x1, y1), 0).a, texel_weight(position));
+    alpha *= bilinear_alpha(texelFetch(material_textures[nonuniformEXT(image)], ivec2(x0, y0), 0).a,
+                            texelFetch(material_textures[nonuniformEXT(image)], ivec2(x1, y0), 0).a,
+                            texelFetch(material_textures[nonuniformEXT(image)], ivec2(x0, y1), 0).a,
+                            texelFetch(material_textures[nonuniformEXT(image)], ivec2(x1, y1), 0).a, texel_weight(position));
   }
   return alpha >= material.alpha_cutoff;
 }

@@ -1,12 +1,13 @@
-// The bindless set (gpu/bindless.h): images and samplers by index. The same images are declared once per shape.
+// The bindless sets (gpu/bindless.h): images and samplers by index. The same images are declared once per shape.
 #ifndef GNOMON_BINDLESS_GLSL
 #define GNOMON_BINDLESS_GLSL
 #extension GL_EXT_nonuniform_qualifier : require
 #extension GL_EXT_samplerless_texture_functions : require
 
-layout(set = 0, binding = 0) uniform texture2D textures_2d[];
-layout(set = 0, binding = 0) uniform texture2DArray textures_2d_array[];
-layout(set = 0, binding = 0) uniform texture2DMS textures_2d_ms[];
+layout(set = 0, binding = 0) uniform texture2D material_textures[];
+layout(set = 1, binding = 0) uniform texture2D images_2d[];
+layout(set = 1, binding = 0) uniform texture2DArray images_2d_array[];
+layout(set = 1, binding = 0) uniform texture2DMS images_2d_ms[];
 layout(set = 0, binding = 1) uniform sampler samplers[];
 layout(set = 0, binding = 1) uniform samplerShadow shadow_samplers[];
 

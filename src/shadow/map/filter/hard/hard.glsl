@@ -4,6 +4,6 @@ float lit(uint map_image, MapSample at, FilterParams params) {
   // The stored depth is that of the texel's centre: follow the receiver's plane there.
   vec2 to_centre = (vec2(texel) + 0.5) / at.size - at.uv;
   float receiver = at.depth + dot(at.depth_gradient, to_centre);
-  float stored = texelFetch(textures_2d_array[nonuniformEXT(map_image)], ivec3(texel, at.layer), 0).x;
+  float stored = texelFetch(images_2d_array[nonuniformEXT(map_image)], ivec3(texel, at.layer), 0).x;
   return stored >= receiver ? 1.0 : 0.0;
 }
