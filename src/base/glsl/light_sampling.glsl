@@ -2,15 +2,14 @@
 // count. One text for the ray-tracing pipeline, ray-traced techniques and the CPU reference (after base/glsl/sampling.glsl).
 //
 //   if (!receives_light(light, position, normal)) visibility = 0, no receiver
-//   origin = ray_origin(position, normal, eye distance)
+//   origin = ray_origin(position, normal, eye distance, plane extent)
 //   for each sample: ray = light_ray(light, origin, light_sample(index, pixel, seed)); skip it unless above_horizon(ray, normal)
 //   visibility = unoccluded / counted samples; the ray to the centre alone where none counted
 //
-// Directions below the receiver's own tangent plane do not count in either number. The cosine of the shading already makes
-// their contribution zero; counting them as shadow would charge the horizon to the visibility, and every technique that
-// compares a receiver with other surfaces (all of them: no shadow map knows the receiver's plane) would be "wrong" by up to a
-// half along each terminator, however well it finds occluders. With V so defined, V times the unshadowed light is the
-// exact product for an emitter of uniform irradiance over its visible part.
+// Directions below the receiver's own tangent plane count in neither number. The cosine of the shading already makes their
+// contribution zero; were they counted as shadow, every technique that compares a receiver with other surfaces, as all maps
+// do, would be wrong by up to a half along each terminator, however well it finds occluders. Other triangles of the same
+// curved surface do occlude: the facets of a tessellated terminator are geometry.
 #ifndef GNOMON_LIGHT_SAMPLING_GLSL
 #define GNOMON_LIGHT_SAMPLING_GLSL
 #include "base/glsl/sampling.glsl"

@@ -15,7 +15,7 @@ namespace gnomon {
 struct ReferenceResult {
   std::vector<float> visibility;  // one per point: 1 lit, 0 shadowed; 0 where the point is no receiver
   std::vector<uint8_t> receiver;  // 1 where the point shows a surface whose geometric normal faces the light
-  double confidence = 0.0;        // half-width of the 95 % interval of the mean visibility over receivers
+  double confidence = 0.0;        // half-width of the 95 % interval of the mean visibility over receivers; 0 for hard shadows
 };
 
 class EmbreeReference {
@@ -31,7 +31,9 @@ class EmbreeReference {
 
   // area = false: one ray to the light's centre. area = true: `samples` rays over the sun's disc or the emitting sphere, from a
   // scrambled (0,2)-sequence (base/glsl/sampling.glsl), scrambled per pixel by `seed`. `eye_ws` is the camera's position, from
-  // which the points were reconstructed (their rounding error grows with the distance). Uses all cores; shows progress.
+  // which the points were reconstructed (their rounding error grows with the distance). Uses all cores; shows progress. The
+  // same input gives the same bits, whatever the number of threads. What counts is in base/glsl/light_sampling.glsl. Throws
+  // Error without a caster or with a point that is not finite. Points of one pixel (one after the other) share their sequence.
   ReferenceResult trace(std::span<const SurfacePoint> points, const vec3& eye_ws, const Light& light, bool area, int samples,
                         uint32_t seed) const;
 
