@@ -12,6 +12,21 @@ namespace {
 
 constexpr uvec2 k_group = {8, 8};
 
+// The irradiance that pictures are exposed for: of a surface that faces the brightest light (from the middle of the scene). Files
+// state lights in anything from 1 to 100 000 lux.
+float key_irradiance(std::span<const Light> lights, const Box& bounds) {
+  float key = 0.0f;
+  for (const Light& light : lights) {
+    float irradiance = light.intensity * std::max(light.colour.x, std::max(light.colour.y, light.colour.z));
+    if (light.kind != LightKind::directional) {
+      const float distance = std::max(glm::length(light.position - bounds.centre()), 0.5f * bounds.radius());
+      irradiance /= std::max(distance * distance, 1e-6f);
+    }
+    key = std::max(key, irradiance);
+  }
+  return key > 0.0f ? key : 1.0f;
+}
+
 struct ShadeArguments {
   uint64_t frame, mask, display, linear;
 };
@@ -79,8 +94,10 @@ void Frame::fill_frame_data() {
   data_.scene = scene_.data();
   data_.surface = {view_z_.address(), geometric_normal_.address(), item_.address(), primitive_.address(), share_.address()};
   data_.light_count = static_cast<uint32_t>(lights_.size());
-  data_.ambient = params_.ambient;
-  data_.exposure = params_.exposure;
+  // The curve's own middle lies at an irradiance of 3.
+  const float key = key_irradiance(lights_, scene_.bounds()) / 3.0f;
+  data_.ambient = params_.ambient * key;
+  data_.exposure = params_.exposure / key;
   data_.normal_maps = params_.normal_maps;
   data_.specular = params_.specular;
   data_.albedo_image = albedo_.sampled();
