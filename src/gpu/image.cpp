@@ -3,6 +3,8 @@
 
 #include <vk_mem_alloc.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 
 namespace gnomon {
@@ -28,6 +30,16 @@ Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(in
   create.arrayLayers = info.layers;
   create.samples = static_cast<VkSampleCountFlagBits>(info.samples);
   create.usage = info.usage;
+  // Asking the driver for more than there is, is an error of usage: known beforehand, it is one message.
+  VkDeviceImageMemoryRequirements query = {VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS};
+  query.pCreateInfo = &create;
+  VkMemoryRequirements2 needed = {VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+  vkGetDeviceImageMemoryRequirements(device.handle(), &query, &needed);
+  const VkDeviceSize most = std::min<VkDeviceSize>(device.info().memory_bytes, limits.maxResourceSize);
+  if (needed.memoryRequirements.size > most) {
+    fail("{} needs {} MiB: the device gives an image at most {}", what, needed.memoryRequirements.size >> 20, most >> 20);
+  }
+
   VmaAllocationCreateInfo allocation = {};
   allocation.usage = VMA_MEMORY_USAGE_AUTO_PREFER_DEVICE;
   VmaAllocationInfo result = {};
@@ -39,7 +51,12 @@ Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(in
   bytes_ = result.size;
   device.note_allocation(static_cast<int64_t>(bytes_));
   device.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(image_), info.name);
-  create_views();
+  try {
+    create_views();
+  } catch (...) {
+    release();  // no destructor runs for an object that was not made
+    throw;
+  }
 }
 
 VkImageAspectFlags Image::aspect() const {

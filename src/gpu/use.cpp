@@ -47,6 +47,8 @@ Transition advance(ResourceState& state, Use use) {
     // A write (and a layout change is one) waits for the last write and for everyone who reads it.
     transition.from_stages |= state.read_stages;
     transition.needed = new_layout || transition.from_stages != 0;
+    // The first use of an image waits for everything: its memory may have had another tenant.
+    if (transition.from_stages == 0) transition.from_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     state = {};
     state.write_stages = info.stages;
     state.write_access = info.writes ? info.access : 0;
