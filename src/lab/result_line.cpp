@@ -1,6 +1,8 @@
 // Provenance of a result.
 #include "lab/result_line.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "base/version.h"
@@ -9,7 +11,8 @@ namespace gnomon {
 namespace {
 
 nlohmann::json to_json(const vec3& v) { return {v.x, v.y, v.z}; }
-double degrees(float radians) { return static_cast<double>(radians) * 180.0 / 3.14159265358979; }
+// To a millionth of a degree: the digits beyond are the float's.
+double degrees(float radians) { return std::round(static_cast<double>(radians) * 180.0e6 / 3.14159265358979) * 1e-6; }
 
 nlohmann::json describe_light(const Light& light) {
   nlohmann::json json = {{"name", light.name}, {"kind", light_kind_name(light.kind)}, {"intensity", light.intensity}};

@@ -211,7 +211,6 @@ class MaterialMaker {
     material.base_colour_uv = uv_transform(option);
     if (mask || has_transparency(scene_.textures[static_cast<size_t>(material.base_colour_texture)].image)) {
       material.masked = true;
-      material.double_sided = true;      // foliage, fences and nets are single sheets
       material.base_colour.w = 1.0f;     // `d` of a masked material is often 0: the picture alone says where there is something
     }
   }
@@ -277,6 +276,7 @@ void add_obj_materials(Scene& scene, const std::string& source, const fs::path& 
     const auto* mtl = library.find(name);
     Material material = mtl && !name.empty() ? maker.make(*mtl) : Material{};
     material.name = name.empty() ? "default" : name;
+    material.double_sided = true;  // the format knows no culling, and files wind their faces as they like
     scene.materials.push_back(std::move(material));
   }
 }
