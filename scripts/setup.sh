@@ -42,15 +42,30 @@ packages=(
   "libjs-chart.js|charts of the report"
   "libgtest-dev|tests"
   "libbenchmark-dev|benchmarks"
+  "python3|scripts and tests"
 )
-# The web tests drive the report in a real browser.
-((web)) && packages+=("chromium|web tests" "chromium-driver|web tests" "python3|web tests, scripts" "python3-selenium|web tests")
-((tools)) && packages+=("clang|fuzz and tidy presets" "clang-tidy|tidy preset" "clang-format|formatting"
-                        "libclang-rt-14-dev|libFuzzer and sanitizer run-time")
+. /etc/os-release
+# The web tests drive the report in a real browser. Ubuntu has Chromium as a snap only: it is left to the user there.
+if ((web)); then
+  packages+=("python3-selenium|web tests")
+  if [[ ${ID:-} == ubuntu ]]; then
+    command -v chromedriver >/dev/null || echo "setup: the web tests need chromium and chromedriver: 'snap install chromium' provides both" >&2
+  else
+    packages+=("chromium|web tests" "chromium-driver|web tests")
+  fi
+fi
+# The run-time of libFuzzer and the sanitizers carries the version of the distribution's clang in its name.
+case ${VERSION_CODENAME:-} in trixie) clang=19 ;; noble) clang=18 ;; *) clang=14 ;; esac
+if ((tools)); then
+  packages+=("clang|fuzz and tidy presets" "clang-tidy|tidy preset" "clang-format|formatting"
+             "libclang-rt-$clang-dev|libFuzzer and sanitizer run-time")
+fi
 
 if ((list)); then printf '%s\n' "${packages[@]}"; exit 0; fi
 
-installed() { dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -q '^installed$'; }
+# One question for all: dpkg reads its whole database for each.
+present=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${packages[@]%%|*}" 2>/dev/null || true)
+installed() { grep -qxF "installed $1" <<<"$present"; }
 # The Mesa of Debian 12 has no ray tracing; 25 does.
 mesa_major() { dpkg-query -W -f='${Version}' mesa-vulkan-drivers 2>/dev/null | sed 's/^[0-9]*://; s/[.].*//'; }
 
@@ -59,7 +74,6 @@ for entry in "${packages[@]}"; do
   name=${entry%%|*}
   if ! installed "$name"; then missing+=("$entry"); fi
 done
-. /etc/os-release
 newer_mesa=0
 if [[ ${VERSION_CODENAME:-} == bookworm ]] && installed mesa-vulkan-drivers && (( $(mesa_major) < 24 )); then
   newer_mesa=1
