@@ -60,7 +60,7 @@ ReferenceResult PipelineReference::trace(const Frame& frame, const Light& light,
     v = std::max(v, 0.0f);
     if (!result.receiver[i]) continue;
     ++receivers;
-    if (rays > 1) variance += static_cast<double>(v) * (1.0 - static_cast<double>(v)) / static_cast<double>(rays);
+    if (rays > 1) variance += static_cast<double>(v) * (1.0 - static_cast<double>(v)) / static_cast<double>(rays - 1);
   }
   // As EmbreeReference: an upper bound, because the sequence is more even than independent samples.
   if (receivers > 0) result.confidence = 1.96 * std::sqrt(variance) / static_cast<double>(receivers);
