@@ -27,7 +27,8 @@ std::string option_names(const BuiltinScene& scene) {
 std::map<std::string, double> complete_options(const BuiltinScene& scene, const std::map<std::string, double>& given) {
   std::map<std::string, double> complete;
   for (const BuiltinOption& option : scene.options) complete[option.name] = option.default_value;
-  for (const auto& [name, value] : given) {
+  for (const auto& [given_name, value] : given) {
+    const std::string& name = given_name;  // clang 14 cannot capture the binding itself
     const auto option = std::find_if(scene.options.begin(), scene.options.end(), [&](const auto& o) { return o.name == name; });
     if (option == scene.options.end()) {
       fail_usage("scene.{}: {} has no such option; valid: {}", name, scene.name, option_names(scene));
