@@ -3,14 +3,17 @@
 enable_language(ASM)
 set(GNOMON_SHADER_STAGES comp vert frag geom rgen rmiss rahit rchit)
 
-# gnomon_compile_shader(NAME FILE): appends to GNOMON_SPIRV and GNOMON_SHADER_NAMES of the caller.
+# gnomon_compile_shader(NAME FILE): appends to GNOMON_SPIRV and GNOMON_SHADER_NAMES of the caller. Paths are relative to the build
+# folder, where the command runs: glslc does not escape blanks in the list of includes that it writes.
 function(gnomon_compile_shader name file)
   set(spirv ${CMAKE_BINARY_DIR}/shaders/${name}.spv)
   get_filename_component(folder ${spirv} DIRECTORY)
   file(MAKE_DIRECTORY ${folder})
+  file(RELATIVE_PATH source ${CMAKE_BINARY_DIR} ${file})
+  file(RELATIVE_PATH includes ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/src)
   add_custom_command(OUTPUT ${spirv}
-    COMMAND ${GLSLC} --target-env=vulkan1.3 -Werror -O -I ${CMAKE_SOURCE_DIR}/src -MD -MF ${spirv}.d -o ${spirv} ${file}
-    DEPENDS ${file} DEPFILE ${spirv}.d COMMENT "glslc ${name}" VERBATIM)
+    COMMAND ${GLSLC} --target-env=vulkan1.3 -Werror -O -I ${includes} -MD -MF shaders/${name}.spv.d -o shaders/${name}.spv ${source}
+    DEPENDS ${file} DEPFILE ${spirv}.d WORKING_DIRECTORY ${CMAKE_BINARY_DIR} COMMENT "glslc ${name}" VERBATIM)
   set(GNOMON_SPIRV ${GNOMON_SPIRV} ${spirv} PARENT_SCOPE)
   set(GNOMON_SHADER_NAMES ${GNOMON_SHADER_NAMES} ${name} PARENT_SCOPE)
 endfunction()
