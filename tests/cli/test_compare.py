@@ -1,0 +1,180 @@
+"""gnomon compare and report: what docs/results_format.md promises."""
+import base64
+import csv
+import json
+import re
+import shlex
+import signal
+import struct
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, QUICK, QUICK_TIMING, THRESHOLD, Case, read_lines
+
+# Keys of a line whose status is ok, by path.
+PROMISED = """
+gnomon.version gnomon.commit gnomon.build command scene.name scene.source scene.hash scene.triangles scene.objects
+camera.name camera.eye camera.forward camera.vertical_fov_deg lights size samples
+device.name device.type device.driver device.driver_version technique settings status reason
+visibility.hard artefacts image.rmse image.psnr
+timing.mode timing.frames timing.warm_up timing.clock timing.frame_ms timing.sum_of_passes_ms passes
+gpu_ms.build gpu_ms.resolve gpu_ms.total memory_bytes
+reference.hard.kind reference.hard.samples reference.hard.confidence
+images.shaded images.mask images.error.hard images.reference.hard images.reference_shaded
+""".split()
+ERROR_KEYS = """mae rmse bias false_shadow.area false_shadow.severity false_light.area false_light.severity receivers""".split()
+PASS_KEYS = "name stage median_ms p95_ms mad_ms draws dispatches triangles".split()
+
+
+def at(value, path):
+    for key in path.split("."):
+        value = value[key]
+    return value
+
+
+def pictures(images):
+    """Every path in the tree of a line's images."""
+    if isinstance(images, str):
+        return [images]
+    return [path for child in images.values() for path in pictures(child)]
+
+
+class Compare(Case):
+    def test_lines_hold_what_the_format_promises(self):
+        out = self.folder / "out"
+        done = self.compare("courtyard", out)
+        lines = read_lines(out)
+        listed = [row["name"] for row in json.loads(self.run_gnomon("list", "--json").stdout)]
+        self.assertEqual(sorted(lines), sorted(listed))
+        for name, line in lines.items():
+            with self.subTest(technique=name):
+                if line["status"] == "unavailable":
+                    self.assertNotEqual(line["reason"], "")
+                    self.assertNotIn("visibility", line)
+                else:
+                    self.check_line(out, line)
+        self.assertEqual(len(done.stdout.splitlines()), 1 + len(lines))  # a heading and a row each: nothing else on stdout
+        self.assertIn("report.html", done.stderr)
+        page = (out / "report.html").read_text(encoding="utf-8")
+        self.assertNotRegex(page, r'(src|href)="https?:')  # opens offline
+        # The report and a table again, from the results alone.
+        (out / "report.html").unlink()
+        self.assertEqual(self.run_gnomon("report", out, "--csv", self.folder / "x.csv").stdout, "")
+        self.assertEqual((out / "report.html").read_text(encoding="utf-8"), page)
+        with open(self.folder / "x.csv", encoding="utf-8", newline="") as file:
+            self.assertEqual([row["technique"] for row in csv.DictReader(file)], list(lines))
+
+    def check_line(self, out, line):
+        for path in PROMISED:
+            at(line, path)
+        self.assertEqual((line["status"], line["reason"]), ("ok", ""))
+        self.assertRegex(line["scene"]["hash"], "^[0-9a-f]{16}$")
+        self.assertEqual((line["size"], line["samples"]), ([96, 64], 1))
+        for kind, error in line["visibility"].items():
+            self.assertIn(kind, ["hard", "area"])
+            for path in ERROR_KEYS:
+                self.assertIsInstance(at(error, path), (int, float), path)
+            self.assertLessEqual(error["mae"], error["rmse"] + 1e-9)
+            self.assertLessEqual(abs(error["bias"]), error["mae"] + 1e-9)
+            self.assertGreater(error["receivers"], 0)
+        for id_ in ["light", "camera", "scene", "reference", "measure"]:
+            self.assertIn(id_, line["settings"])
+        self.assertEqual(line["settings"]["reference"]["samples"], 8)
+        for one in line["passes"]:
+            self.assertEqual([key for key in PASS_KEYS if key not in one], [])
+            self.assertIn(one["stage"], ["surface", "build", "resolve", "shade", "other"])
+        for stage in ["build", "resolve"]:
+            total = sum(one["median_ms"] for one in line["passes"] if one["stage"] == stage)
+            self.assertAlmostEqual(line["gpu_ms"][stage], total, places=6)
+        self.assertAlmostEqual(line["gpu_ms"]["total"], line["gpu_ms"]["build"] + line["gpu_ms"]["resolve"], places=6)
+        self.assertGreater(line["memory_bytes"], 0)
+        for path in pictures(line["images"]):
+            self.assertTrue((out / path).is_file(), path)
+
+    def test_same_command_same_numbers(self):
+        first, second = self.folder / "a", self.folder / "b"
+        for out in [first, second]:
+            self.compare("courtyard", out)
+        a, b = read_lines(first), read_lines(second)
+        for name in a:
+            for key in ["visibility", "image", "reference", "settings", "scene", "memory_bytes"]:
+                self.assertEqual(a[name].get(key), b[name].get(key), f"{name}: {key}")
+
+    def test_the_command_of_a_row_repeats_it(self):
+        out = self.folder / "out"
+        self.compare("courtyard", out, "--techniques", "single/pcf,ray_traced", "--set", "pcf.size=5", "--camera", "0,6,9:0,1,0",
+                     "--set", "light.elevation=40")
+        for name, line in read_lines(out).items():
+            words = shlex.split(line["command"])
+            self.assertEqual(words[:2], ["gnomon", "compare"])
+            again = self.folder / "again"
+            again.mkdir(exist_ok=True)
+            self.run_gnomon(*words[1:], cwd=again)
+            repeated = read_lines(again / "out")
+            self.assertEqual(list(repeated), [name])
+            for key in ["visibility", "image", "settings", "camera", "lights", "size", "command"]:
+                self.assertEqual(repeated[name][key], line[key], f"{name}: {key}")
+
+    def test_gate(self):
+        self.compare("courtyard", self.folder / "a", "--techniques", "single/hard", "--max-error", "1")
+        done = self.compare("courtyard", self.folder / "b", "--techniques", "single/hard", "--max-error", "0", expect=THRESHOLD)
+        self.assertIn("single/hard", done.stderr)
+        self.assertEqual(list(read_lines(self.folder / "b")), ["single/hard"])  # the results are there all the same
+
+    def test_a_killed_run_leaves_whole_lines(self):
+        out = self.folder / "out"
+        results = out / "results.jsonl"
+        command = [PROGRAM, "compare", "courtyard", "-o", str(out), *QUICK, "--set", "measure.max_seconds=1"]
+        for delay in [0.0, 0.3, 0.6]:
+            with self.subTest(delay=delay):
+                process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                # Long enough to have begun; with a delay also past the first line.
+                stop = time.monotonic() + 60
+                while not (results.exists() if delay else out.exists()) and process.poll() is None and time.monotonic() < stop:
+                    time.sleep(0.01)
+                time.sleep(delay)
+                process.send_signal(signal.SIGKILL)
+                process.wait()
+                if results.exists():
+                    for text in results.read_text(encoding="utf-8").splitlines():
+                        self.assertIn(json.loads(text)["status"], ["ok", "unavailable"])
+                    self.run_gnomon("report", out, "-o", self.folder / "page.html")
+
+    def test_several_lights_are_measured_apart(self):
+        scene = self.folder / "two lights.gltf"
+        scene.write_text(json.dumps(two_suns()), encoding="utf-8")
+        out = self.folder / "out"
+        self.compare(scene, out, "--light", "all", "--techniques", "single/hard")
+        lines = [json.loads(text) for text in (out / "results.jsonl").read_text(encoding="utf-8").splitlines()]
+        self.assertEqual([line["lights"][0]["name"] for line in lines], ["morning", "evening"])
+        self.assertEqual([len(line["lights"]) for line in lines], [1, 1])
+        self.assertEqual(len(set(line["images"]["mask"] for line in lines)), 2)
+        for line in lines:
+            self.assertTrue(re.search(r"--light \S+", line["command"]), line["command"])
+
+
+def two_suns():
+    """A floor with a smaller square above it, two directional lights."""
+    corners = [(-4, 0, -4), (4, 0, -4), (4, 0, 4), (-4, 0, 4), (-1, 1, -1), (1, 1, -1), (1, 1, 1), (-1, 1, 1)]
+    data = b"".join(struct.pack("<3f", *corner) for corner in corners)
+    data += struct.pack("<12H", 0, 2, 1, 0, 3, 2, 4, 6, 5, 4, 7, 6)
+    uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+    return {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+        "extensionsUsed": ["KHR_lights_punctual"],
+        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "name": "morning"},
+                                                          {"type": "directional", "name": "evening"}]}},
+        "nodes": [{"mesh": 0},
+                  {"rotation": [-0.6, 0.0, 0.0, 0.8], "extensions": {"KHR_lights_punctual": {"light": 0}}},
+                  {"rotation": [-0.8, 0.0, 0.0, 0.6], "extensions": {"KHR_lights_punctual": {"light": 1}}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "buffers": [{"uri": uri, "byteLength": len(data)}],
+        "bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 24}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [-4, 0, -4], "max": [4, 1, 4]},
+                      {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}],
+    }
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
