@@ -76,7 +76,9 @@ std::string repeat_command(const Session& session, const std::string& technique,
   if (view.samples != 1) command += fmt::format(" --samples {}", view.samples);
   if (!view.camera.empty()) command += " --camera " + quoted(view.camera);
   if (!light.empty()) command += " --light " + quoted(light);
-  for (const std::string& assignment : session.settings().assignments()) command += " --set " + quoted(assignment);
+  for (const std::string& assignment : session.settings().assignments_for(find_technique(technique))) {
+    command += " --set " + quoted(assignment);
+  }
   return command + " -o out";
 }
 

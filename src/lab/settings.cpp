@@ -98,6 +98,16 @@ SettingsMap Settings::for_technique(const TechniqueSpec& spec) const {
   return settings;
 }
 
+std::vector<std::string> Settings::assignments_for(const TechniqueSpec& spec) const {
+  std::vector<std::string> result;
+  for (const std::string& text : assignments_) {
+    const std::string_view id = std::string_view(text).substr(0, text.find('.'));
+    const bool of_technique = std::any_of(spec.tables.begin(), spec.tables.end(), [&](const auto& table) { return table.first == id; });
+    if (of_technique || id == "scene" || blocks_.contains(id)) result.push_back(text);
+  }
+  return result;
+}
+
 void Settings::check_used(const std::vector<const TechniqueSpec*>& techniques) const {
   for (const auto& [id, name, value] : of_techniques_) {
     const bool used = std::any_of(techniques.begin(), techniques.end(), [&](const TechniqueSpec* spec) {

@@ -36,8 +36,8 @@ class Settings {
 
   // All effective values for one technique: {"single": {...}, "light": {...}, ...}.
   nlohmann::json to_json(const SettingsMap& technique) const;
-  // The assignments as given, for the command that repeats a row.
-  const std::vector<std::string>& assignments() const { return assignments_; }
+  // The assignments as given that reach this technique or the laboratory, for the command that repeats a row.
+  std::vector<std::string> assignments_for(const TechniqueSpec& spec) const;
 
  private:
   struct Assignment {
