@@ -55,7 +55,8 @@ class Checker {
     for (size_t i = 0; i < values.size(); ++i) {
       const vec3 v(values[i]);
       const float length = glm::dot(v, v);
-      if (!(length > 0.98f && length < 1.02f)) fail("{}: {}[{}]: must be a unit vector; its length is {}", name_, place, i, std::sqrt(length));
+      if (!(length > 0.98f && length < 1.02f))
+        fail("{}: {}[{}]: must be a unit vector; its length is {}", name_, place, i, std::sqrt(length));
     }
   }
 
@@ -85,7 +86,8 @@ class Checker {
     }
     require(part.indices.size() % 3 == 0, place + ".indices", "three per triangle");
     for (size_t i = 0; i < part.indices.size(); ++i) {
-      if (part.indices[i] >= count) fail("{}: {}.indices[{}]: is {}; there are {} vertices", name_, place, i, part.indices[i], count);
+      if (part.indices[i] >= count)
+        fail("{}: {}.indices[{}]: is {}; there are {} vertices", name_, place, i, part.indices[i], count);
     }
     require_index(part.material, 0, scene_.materials.size(), place + ".material");
     require_finite(part.positions, place + ".positions");
@@ -107,7 +109,8 @@ class Checker {
 
   void check(const Light& light, const std::string& place) const {
     require(finite(light.position), place + ".position", "finite");
-    require(finite(light.direction) && std::abs(glm::length(light.direction) - 1.0f) < 1e-3f, place + ".direction", "a unit vector");
+    require(finite(light.direction) && std::abs(glm::length(light.direction) - 1.0f) < 1e-3f, place + ".direction",
+            "a unit vector");
     require(finite(light.colour) && glm::all(glm::greaterThanEqual(light.colour, vec3(0.0f))), place + ".colour", "0 or more");
     const auto positive = [&](float value, const char* field) {
       require(std::isfinite(value) && value >= 0.0f, place + field, "a finite number, 0 or more");

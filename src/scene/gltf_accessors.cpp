@@ -15,7 +15,8 @@ struct TypeName {
   std::string_view name;
   int components, columns;
 };
-constexpr TypeName k_types[] = {{"SCALAR", 1, 1}, {"VEC2", 2, 1}, {"VEC3", 3, 1}, {"VEC4", 4, 1}, {"MAT2", 4, 2}, {"MAT3", 9, 3}, {"MAT4", 16, 4}};
+constexpr TypeName k_types[] = {{"SCALAR", 1, 1}, {"VEC2", 2, 1}, {"VEC3", 3, 1}, {"VEC4", 4, 1},
+                                {"MAT2", 4, 2},   {"MAT3", 9, 3}, {"MAT4", 16, 4}};
 
 template <class T>
 T load(const std::byte* from) {
@@ -30,12 +31,18 @@ uint32_t load_unsigned(const std::byte* from, int type) {
 
 float load_component(const std::byte* from, int type, bool normalised) {
   switch (type) {
-    case k_byte: return normalised ? std::max(load<int8_t>(from) / 127.0f, -1.0f) : load<int8_t>(from);
-    case k_ubyte: return normalised ? load<uint8_t>(from) / 255.0f : load<uint8_t>(from);
-    case k_short: return normalised ? std::max(load<int16_t>(from) / 32767.0f, -1.0f) : load<int16_t>(from);
-    case k_ushort: return normalised ? load<uint16_t>(from) / 65535.0f : load<uint16_t>(from);
-    case k_uint: return static_cast<float>(load<uint32_t>(from));
-    default: return load<float>(from);
+    case k_byte:
+      return normalised ? std::max(load<int8_t>(from) / 127.0f, -1.0f) : load<int8_t>(from);
+    case k_ubyte:
+      return normalised ? load<uint8_t>(from) / 255.0f : load<uint8_t>(from);
+    case k_short:
+      return normalised ? std::max(load<int16_t>(from) / 32767.0f, -1.0f) : load<int16_t>(from);
+    case k_ushort:
+      return normalised ? load<uint16_t>(from) / 65535.0f : load<uint16_t>(from);
+    case k_uint:
+      return static_cast<float>(load<uint32_t>(from));
+    default:
+      return load<float>(from);
   }
 }
 
@@ -49,11 +56,16 @@ float GltfAccessors::normalised_scale(int accessor) const {
   const Accessor& a = at(accessor);
   if (!a.normalised) return 1.0f;
   switch (a.component_type) {
-    case k_byte: return 1.0f / 127.0f;
-    case k_ubyte: return 1.0f / 255.0f;
-    case k_short: return 1.0f / 32767.0f;
-    case k_ushort: return 1.0f / 65535.0f;
-    default: return 1.0f;
+    case k_byte:
+      return 1.0f / 127.0f;
+    case k_ubyte:
+      return 1.0f / 255.0f;
+    case k_short:
+      return 1.0f / 32767.0f;
+    case k_ushort:
+      return 1.0f / 65535.0f;
+    default:
+      return 1.0f;
   }
 }
 
@@ -78,10 +90,12 @@ GltfAccessors::Accessor GltfAccessors::read_accessor(const GltfValue& json) cons
     const size_t stride = document_.view_stride(a.view);
     a.stride = stride ? stride : a.element_size;
     if (a.stride < a.element_size) {
-      json.fail_in("bufferView", "bufferViews[{}].byteStride is {}; valid: at least the size of an element, {}", a.view, a.stride, a.element_size);
+      json.fail_in("bufferView", "bufferViews[{}].byteStride is {}; valid: at least the size of an element, {}", a.view,
+                   a.stride, a.element_size);
     }
     const uint64_t length = document_.view_length(a.view), end = a.offset + a.stride * (a.count - 1) + a.element_size;
-    if (end > length) json.fail_in("count", "{} elements end at byte {} of bufferViews[{}]; valid: at most {}", a.count, end, a.view, length);
+    if (end > length)
+      json.fail_in("count", "{} elements end at byte {} of bufferViews[{}]; valid: at most {}", a.count, end, a.view, length);
   }
   if (const auto sparse = json.object("sparse")) a.sparse = read_sparse(*sparse, a);
   return a;
@@ -102,11 +116,13 @@ GltfAccessors::Sparse GltfAccessors::read_sparse(const GltfValue& json, const Ac
   return sparse;
 }
 
-Bytes GltfAccessors::elements(int view, uint64_t offset, size_t stride, size_t element_size, size_t count, const std::string& place) const {
+Bytes GltfAccessors::elements(int view, uint64_t offset, size_t stride, size_t element_size, size_t count,
+                              const std::string& place) const {
   const Bytes bytes = document_.view(view, place);
   const uint64_t end = offset + stride * (count - 1) + element_size;
   if (end > bytes.size()) {
-    fail("{}: {}: {} elements end at byte {} of bufferViews[{}]; it holds {}", document_.name(), place, count, end, view, bytes.size());
+    fail("{}: {}: {} elements end at byte {} of bufferViews[{}]; it holds {}", document_.name(), place, count, end, view,
+         bytes.size());
   }
   return bytes.subspan(offset);
 }
@@ -126,7 +142,8 @@ std::vector<uint32_t> GltfAccessors::sparse_indices(const Accessor& accessor) co
   std::vector<uint32_t> indices(sparse.count);
   for (size_t i = 0; i < sparse.count; ++i) {
     indices[i] = load_unsigned(bytes.data() + i * size, sparse.index_type);
-    if (indices[i] >= accessor.count) fail("{}: {}: element {} is {}; valid: 0 to {}", document_.name(), place, i, indices[i], accessor.count - 1);
+    if (indices[i] >= accessor.count)
+      fail("{}: {}: element {} is {}; valid: 0 to {}", document_.name(), place, i, indices[i], accessor.count - 1);
   }
   return indices;
 }
@@ -136,7 +153,8 @@ void GltfAccessors::read_floats(const Accessor& a, const std::vector<uint32_t>* 
   const auto read = [&](const std::byte* from, float* to, size_t element) {
     for (size_t c = 0; c < components; ++c) {
       to[c] = load_component(from + c * size, a.component_type, a.normalised);
-      if (!std::isfinite(to[c])) fail("{}: {}: element {} is not finite; valid: finite numbers", document_.name(), a.place, element);
+      if (!std::isfinite(to[c]))
+        fail("{}: {}: element {} is not finite; valid: finite numbers", document_.name(), a.place, element);
     }
   };
   const size_t count = only ? only->size() : a.count;
@@ -149,7 +167,8 @@ void GltfAccessors::read_floats(const Accessor& a, const std::vector<uint32_t>* 
   }
   if (!a.sparse) return;
   const std::vector<uint32_t> changed = sparse_indices(a);
-  const Bytes bytes = elements(a.sparse->value_view, a.sparse->value_offset, a.element_size, a.element_size, a.sparse->count, a.place + ".sparse.values");
+  const Bytes bytes = elements(a.sparse->value_view, a.sparse->value_offset, a.element_size, a.element_size, a.sparse->count,
+                               a.place + ".sparse.values");
   std::vector<uint32_t> place_of;  // element -> where it goes; 0 = nowhere, else 1 + place
   if (only) {
     document_.budget().take(a.count, a.place);
@@ -176,8 +195,10 @@ std::vector<uint32_t> GltfAccessors::indices(int accessor, const std::string& pl
   }
   if (a.sparse) {
     const std::vector<uint32_t> changed = sparse_indices(a);
-    const Bytes bytes = elements(a.sparse->value_view, a.sparse->value_offset, a.element_size, a.element_size, a.sparse->count, a.place + ".sparse.values");
-    for (size_t i = 0; i < changed.size(); ++i) result[changed[i]] = load_unsigned(bytes.data() + i * a.element_size, a.component_type);
+    const Bytes bytes = elements(a.sparse->value_view, a.sparse->value_offset, a.element_size, a.element_size, a.sparse->count,
+                                 a.place + ".sparse.values");
+    for (size_t i = 0; i < changed.size(); ++i)
+      result[changed[i]] = load_unsigned(bytes.data() + i * a.element_size, a.component_type);
   }
   return result;
 }

@@ -24,7 +24,8 @@ class GltfAccessors {
   // The elements as finite floats, normalised integers scaled to [0, 1] or [-1, 1]. `place`: who asks, for errors.
   // `only`: these elements in this order instead of all.
   template <int N>
-  std::vector<glm::vec<N, float>> floats(int accessor, const std::string& place, const std::vector<uint32_t>* only = nullptr) const {
+  std::vector<glm::vec<N, float>> floats(int accessor, const std::string& place,
+                                         const std::vector<uint32_t>* only = nullptr) const {
     const Accessor& a = at(accessor);
     require_vector(a, N, place);
     const size_t size = only ? only->size() : a.count;

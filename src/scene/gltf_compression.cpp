@@ -21,16 +21,20 @@ enum class Mode { attributes, triangles, indices };
 // The most that one encoded byte can stand for: a vertex block spends a quarter bit on a repeated byte, a triangle one byte.
 uint64_t largest_size(Mode mode, uint64_t encoded_size, uint64_t stride) {
   switch (mode) {
-    case Mode::attributes: return 64 * encoded_size + 256 * stride;
-    case Mode::triangles: return 3 * stride * encoded_size;
-    case Mode::indices: return stride * encoded_size;
+    case Mode::attributes:
+      return 64 * encoded_size + 256 * stride;
+    case Mode::triangles:
+      return 3 * stride * encoded_size;
+    case Mode::indices:
+      return stride * encoded_size;
   }
   return 0;
 }
 
 // What meshoptimizer asserts instead of reporting.
 std::string check_meshopt(const MeshoptFormat& f, Mode mode) {
-  if (mode == Mode::attributes && (f.stride % 4 != 0 || f.stride > 256)) return "byteStride of ATTRIBUTES: valid: a multiple of 4 up to 256";
+  if (mode == Mode::attributes && (f.stride % 4 != 0 || f.stride > 256))
+    return "byteStride of ATTRIBUTES: valid: a multiple of 4 up to 256";
   if (mode != Mode::attributes && f.stride != 2 && f.stride != 4) return "byteStride of indices: valid: 2 or 4";
   if (mode == Mode::triangles && f.count % 3 != 0) return "count of TRIANGLES: valid: a multiple of 3";
   if (mode != Mode::attributes && f.filter != "NONE") return "filter: valid for ATTRIBUTES only";
@@ -61,9 +65,15 @@ std::string decode_meshopt(const MeshoptFormat& f, std::span<const std::byte> en
   const auto* data = reinterpret_cast<const unsigned char*>(encoded.data());
   int status = 0;
   switch (mode) {
-    case Mode::attributes: status = meshopt_decodeVertexBuffer(decoded.data(), f.count, f.stride, data, encoded.size()); break;
-    case Mode::triangles: status = meshopt_decodeIndexBuffer(decoded.data(), f.count, f.stride, data, encoded.size()); break;
-    case Mode::indices: status = meshopt_decodeIndexSequence(decoded.data(), f.count, f.stride, data, encoded.size()); break;
+    case Mode::attributes:
+      status = meshopt_decodeVertexBuffer(decoded.data(), f.count, f.stride, data, encoded.size());
+      break;
+    case Mode::triangles:
+      status = meshopt_decodeIndexBuffer(decoded.data(), f.count, f.stride, data, encoded.size());
+      break;
+    case Mode::indices:
+      status = meshopt_decodeIndexSequence(decoded.data(), f.count, f.stride, data, encoded.size());
+      break;
   }
   if (status != 0) return fmt::format("the compressed data is damaged (meshoptimizer says {})", status);
   if (f.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(decoded.data(), f.count, f.stride);
@@ -94,7 +104,8 @@ std::string read_attribute(const draco::Mesh& mesh, uint32_t id, DracoMesh::Attr
 
 }  // namespace
 
-std::string decode_draco(std::span<const std::byte> encoded, const std::map<std::string, uint32_t>& attribute_ids, DracoMesh& result) {
+std::string decode_draco(std::span<const std::byte> encoded, const std::map<std::string, uint32_t>& attribute_ids,
+                         DracoMesh& result) {
   try {
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(encoded.data()), encoded.size());

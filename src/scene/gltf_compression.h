@@ -22,7 +22,7 @@ std::string decode_meshopt(const MeshoptFormat& format, std::span<const std::byt
 struct DracoMesh {
   struct Attribute {
     int components = 0;
-    bool normalised = false;     // integers are scaled to [0, 1] or [-1, 1] already
+    bool normalised = false;    // integers are scaled to [0, 1] or [-1, 1] already
     std::vector<float> values;  // components of vertex 0, of vertex 1, ...
   };
   size_t vertex_count = 0;
@@ -31,6 +31,7 @@ struct DracoMesh {
 };
 
 // `attribute_ids`: which unique id of the stream is which attribute. Returns what is wrong, empty for success.
-std::string decode_draco(std::span<const std::byte> encoded, const std::map<std::string, uint32_t>& attribute_ids, DracoMesh& mesh);
+std::string decode_draco(std::span<const std::byte> encoded, const std::map<std::string, uint32_t>& attribute_ids,
+                         DracoMesh& mesh);
 
 }  // namespace gnomon

@@ -14,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array k_supported_extensions = {
-    "EXT_mesh_gpu_instancing",   "EXT_meshopt_compression",          "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",       "KHR_materials_emissive_strength",  "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_unlit",       "KHR_mesh_quantization",            "KHR_texture_transform",
+    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",         "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_unlit",     "KHR_mesh_quantization",           "KHR_texture_transform",
 };
 
 uint32_t read_u32(Bytes bytes, size_t offset) {
@@ -67,12 +67,14 @@ std::optional<std::vector<std::byte>> base64_decoded(std::string_view text) {
 
 void GltfBudget::take(uint64_t elements, const std::string& place) {
   if (elements > left_) {
-    fail("{}: {}: asks for {} elements, far more than a file of this size can hold; valid: counts that fit the data", file_, place, elements);
+    fail("{}: {}: asks for {} elements, far more than a file of this size can hold; valid: counts that fit the data", file_,
+         place, elements);
   }
   left_ -= elements;
 }
 
-GltfDocument::GltfDocument(Bytes bytes, const std::string& name, const fs::path& folder) : name_(name), folder_(folder), budget_(name_) {
+GltfDocument::GltfDocument(Bytes bytes, const std::string& name, const fs::path& folder)
+    : name_(name), folder_(folder), budget_(name_) {
   budget_.add_input(bytes.size());
   if (as_text(bytes).starts_with("glTF")) {
     split_binary(bytes);
@@ -98,7 +100,8 @@ void GltfDocument::split_binary(Bytes bytes) {
     if (bytes.size() - offset < 8) fail("{}: chunks[{}]: cut off in its header", name_, chunk);
     const size_t length = read_u32(bytes, offset), left = bytes.size() - offset - 8;
     const uint32_t type = read_u32(bytes, offset + 4);
-    if (length > left) fail("{}: chunks[{}].length: is {}; valid: at most {}, what is left of the file", name_, chunk, length, left);
+    if (length > left)
+      fail("{}: chunks[{}].length: is {}; valid: at most {}, what is left of the file", name_, chunk, length, left);
     const Bytes content = bytes.subspan(offset + 8, length);
     if (chunk == 0 && type != k_json) fail("{}: chunks[0].type: is {:#x}; valid: JSON ({:#x})", name_, type, k_json);
     if (chunk == 0) {
@@ -120,6 +123,8 @@ void GltfDocument::parse_json(std::string_view text, size_t offset) {
     const size_t at = std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<ptrdiff_t>(at), '\n');
     fail("{}:{}: byte {}: neither JSON nor a binary glTF file: {}", name_, line, offset + at, error.what());
+  } catch (const nlohmann::json::exception& error) {
+    fail("{}: JSON: holds a number that no variable can hold: {}", name_, error.what());  // 1e999; it tells no place
   }
   if (!json_.is_object()) fail("{}: top level: is {}; valid: an object", name_, json_.type_name());
 }
@@ -129,8 +134,10 @@ void GltfDocument::check_asset() const {
   const std::string version = asset.text("version", "");
   if (!version.starts_with("2.")) asset.fail_in("version", "is \"{}\"; valid: \"2.0\"", version);
   for (const std::string& extension : root().texts("extensionsRequired")) {
-    if (std::find(k_supported_extensions.begin(), k_supported_extensions.end(), extension) != k_supported_extensions.end()) continue;
-    root().fail_in("extensionsRequired", "{} is not supported; supported: {}", extension, fmt::join(k_supported_extensions, ", "));
+    if (std::find(k_supported_extensions.begin(), k_supported_extensions.end(), extension) != k_supported_extensions.end())
+      continue;
+    root().fail_in("extensionsRequired", "{} is not supported; supported: {}", extension,
+                   fmt::join(k_supported_extensions, ", "));
   }
 }
 
@@ -176,7 +183,8 @@ void GltfDocument::read_buffers() {
       buffer.bytes = *binary_chunk_;
       buffer.has_data = true;
     } else if (!fallback || !fallback->flag("fallback", false)) {
-      json.fail_in("uri", "is missing; only the first buffer of a .glb and a fallback of EXT_meshopt_compression may be without");
+      json.fail_in("uri",
+                   "is missing; only the first buffer of a .glb and a fallback of EXT_meshopt_compression may be without");
     }
     if (buffer.has_data && buffer.bytes.size() < buffer.declared) {
       json.fail_in("byteLength", "is {}; the data has only {} bytes", buffer.declared, buffer.bytes.size());
@@ -194,7 +202,8 @@ void GltfDocument::read_views() {
     view.length = json.required_integer("byteLength", 1, size);
     view.offset = json.integer("byteOffset", 0, 0, size - view.length);
     view.stride = json.integer("byteStride", 0, 4, 252);
-    if (const auto extension = json.extension("EXT_meshopt_compression")) view.compressed = read_compressed(*extension, view.length);
+    if (const auto extension = json.extension("EXT_meshopt_compression"))
+      view.compressed = read_compressed(*extension, view.length);
     views_.push_back(std::move(view));
   }
 }
@@ -212,7 +221,8 @@ GltfDocument::Compressed GltfDocument::read_compressed(const GltfValue& json, ui
   result.mode = json.text("mode", "");
   result.filter = json.text("filter", "NONE");
   if (result.count * result.stride > view_length) {
-    json.fail_in("count", "{} elements of {} bytes are more than the {} bytes of the buffer view", result.count, result.stride, view_length);
+    json.fail_in("count", "{} elements of {} bytes are more than the {} bytes of the buffer view", result.count, result.stride,
+                 view_length);
   }
   return result;
 }

@@ -73,7 +73,8 @@ std::optional<GltfValue> GltfValue::extension(std::string_view name) const {
 
 double GltfValue::to_number(const json& value, const std::string& place, double low, double high) const {
   // Everything ends up in a float: a number beyond its range is as bad as infinity.
-  const bool good = value.is_number() && std::abs(value.get<double>()) <= static_cast<double>(std::numeric_limits<float>::max()) &&
+  const bool good = value.is_number() &&
+                    std::abs(value.get<double>()) <= static_cast<double>(std::numeric_limits<float>::max()) &&
                     value.get<double>() >= low && value.get<double>() <= high;
   if (!good) fail_at(place, fmt::format("is {}; valid: {}", found(value), range_text(low, high)));
   return value.get<double>();
@@ -92,10 +93,12 @@ uint64_t GltfValue::to_integer(const json& value, const std::string& place, uint
   // 5.0 is an integer too, as in JSON Schema.
   std::optional<uint64_t> integer;
   if (value.is_number_unsigned()) integer = value.get<uint64_t>();
-  if (value.is_number_float() && value.get<double>() >= 0.0 && value.get<double>() <= 9e15 && std::floor(value.get<double>()) == value.get<double>()) {
+  if (value.is_number_float() && value.get<double>() >= 0.0 && value.get<double>() <= 9e15 &&
+      std::floor(value.get<double>()) == value.get<double>()) {
     integer = static_cast<uint64_t>(value.get<double>());
   }
-  if (!integer || *integer < low || *integer > high) fail_at(place, fmt::format("is {}; valid: an integer from {} to {}", found(value), low, high));
+  if (!integer || *integer < low || *integer > high)
+    fail_at(place, fmt::format("is {}; valid: an integer from {} to {}", found(value), low, high));
   return *integer;
 }
 
@@ -111,7 +114,8 @@ uint64_t GltfValue::required_integer(std::string_view key, uint64_t low, uint64_
 int GltfValue::to_index(const json& value, const std::string& place, size_t count, std::string_view of) const {
   if (count == 0) fail_at(place, fmt::format("is {}; the file has no {}", found(value), of));
   const bool good = value.is_number_unsigned() && value.get<uint64_t>() < count;
-  const bool good_float = value.is_number_float() && value.get<double>() >= 0 && value.get<double>() < static_cast<double>(count) &&
+  const bool good_float = value.is_number_float() && value.get<double>() >= 0 &&
+                          value.get<double>() < static_cast<double>(count) &&
                           std::floor(value.get<double>()) == value.get<double>();
   if (!good && !good_float) fail_at(place, fmt::format("is {}; valid: an index into {}, 0 to {}", found(value), of, count - 1));
   return value.get<int>();
@@ -131,7 +135,8 @@ std::vector<int> GltfValue::indices(std::string_view key, size_t count, std::str
   const json* value = find(key);
   if (!value) return result;
   if (!value->is_array()) fail_in(key, "is {}; valid: an array of indices into {}", found(*value), of);
-  for (size_t i = 0; i < value->size(); ++i) result.push_back(to_index((*value)[i], fmt::format("{}[{}]", where(key), i), count, of));
+  for (size_t i = 0; i < value->size(); ++i)
+    result.push_back(to_index((*value)[i], fmt::format("{}[{}]", where(key), i), count, of));
   return result;
 }
 

@@ -24,7 +24,9 @@ class GltfValue {
       : value_(&value), file_(&file), place_(std::move(place)) {}
 
   const std::string& place() const { return place_; }
-  std::string where(std::string_view key) const { return place_.empty() ? std::string(key) : fmt::format("{}.{}", place_, key); }
+  std::string where(std::string_view key) const {
+    return place_.empty() ? std::string(key) : fmt::format("{}.{}", place_, key);
+  }
 
   template <class... Args>
   [[noreturn]] void fail_here(fmt::format_string<Args...> format, Args&&... args) const {

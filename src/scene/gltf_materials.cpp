@@ -14,10 +14,14 @@ namespace {
 
 Wrap read_wrap(const GltfValue& sampler, std::string_view key) {
   switch (sampler.integer(key, 10497, 0, 0xffff)) {
-    case 10497: return Wrap::repeat;
-    case 33071: return Wrap::clamp;
-    case 33648: return Wrap::mirror;
-    default: sampler.fail_in(key, "valid: 10497 (repeat), 33071 (clamp), 33648 (mirror)");
+    case 10497:
+      return Wrap::repeat;
+    case 33071:
+      return Wrap::clamp;
+    case 33648:
+      return Wrap::mirror;
+    default:
+      sampler.fail_in(key, "valid: 10497 (repeat), 33071 (clamp), 33648 (mirror)");
   }
 }
 
@@ -66,7 +70,8 @@ void GltfMaterials::read_texture(const GltfValue& json, const std::vector<GltfVa
     texture.wrap_u = read_wrap(samplers[static_cast<size_t>(sampler)], "wrapS");
     texture.wrap_v = read_wrap(samplers[static_cast<size_t>(sampler)], "wrapT");
   }
-  if (texture.image < 0) log_warning("{}: {}: has no picture in a format that is read (PNG, JPEG)", document_.name(), json.place());
+  if (texture.image < 0)
+    log_warning("{}: {}: has no picture in a format that is read (PNG, JPEG)", document_.name(), json.place());
   textures_.push_back(texture);
 }
 
@@ -102,17 +107,20 @@ int GltfMaterials::texture(const GltfValue& info, bool srgb, UvTransform& transf
   const Sampled& sampled = textures_[static_cast<size_t>(info.required_index("index", textures_.size(), "textures"))];
   uv_set = static_cast<int>(info.integer("texCoord", 0, 0, 255));
   if (const auto extension = info.extension("KHR_texture_transform")) {
-    transform = UvTransform::from(extension->vector<2>("offset", vec2(0.0f)), static_cast<float>(extension->number("rotation", 0.0)),
-                                  extension->vector<2>("scale", vec2(1.0f)));
+    transform =
+        UvTransform::from(extension->vector<2>("offset", vec2(0.0f)), static_cast<float>(extension->number("rotation", 0.0)),
+                          extension->vector<2>("scale", vec2(1.0f)));
     uv_set = static_cast<int>(extension->integer("texCoord", static_cast<uint64_t>(uv_set), 0, 255));
   }
   if (sampled.image < 0) return k_no_texture;
   const auto [picture, is_new_picture] = pictures_.try_emplace(sampled.image);
   if (is_new_picture) load_picture(picture->second, images_[static_cast<size_t>(sampled.image)]);
   if (picture->second.encoded.empty()) return k_no_texture;
-  const auto [made, is_new] = made_.try_emplace({sampled.image, sampled.wrap_u, sampled.wrap_v, srgb}, static_cast<int>(scene_.textures.size()));
+  const auto [made, is_new] =
+      made_.try_emplace({sampled.image, sampled.wrap_u, sampled.wrap_v, srgb}, static_cast<int>(scene_.textures.size()));
   if (is_new) {
-    scene_.textures.push_back({.name = picture->second.name, .image = {}, .srgb = srgb, .wrap_u = sampled.wrap_u, .wrap_v = sampled.wrap_v});
+    scene_.textures.push_back(
+        {.name = picture->second.name, .image = {}, .srgb = srgb, .wrap_u = sampled.wrap_u, .wrap_v = sampled.wrap_v});
     picture_of_texture_.push_back(sampled.image);
   }
   return made->second;
@@ -125,7 +133,8 @@ void GltfMaterials::read_material(const GltfValue& json) {
   int uv_set = 0;
   material.name = json.text("name", json.place());
   read_metallic_roughness(json, material, uv_set);
-  if (const auto extension = json.extension("KHR_materials_pbrSpecularGlossiness")) read_specular_glossiness(*extension, material, uv_set);
+  if (const auto extension = json.extension("KHR_materials_pbrSpecularGlossiness"))
+    read_specular_glossiness(*extension, material, uv_set);
   read_normal_map(json, material, uv_set);
 
   material.double_sided = json.flag("doubleSided", false);
@@ -159,7 +168,8 @@ void GltfMaterials::read_metallic_roughness(const GltfValue& json, Material& mat
   material.base_colour = pbr->vector<4>("baseColorFactor", vec4(1.0f));
   material.shininess = shininess_of(static_cast<float>(pbr->number("roughnessFactor", 1.0, 0.0, 1.0)));
   pbr->number("metallicFactor", 1.0, 0.0, 1.0);
-  if (const auto info = pbr->object("baseColorTexture")) material.base_colour_texture = texture(*info, true, material.base_colour_uv, uv_set);
+  if (const auto info = pbr->object("baseColorTexture"))
+    material.base_colour_texture = texture(*info, true, material.base_colour_uv, uv_set);
 }
 
 void GltfMaterials::read_specular_glossiness(const GltfValue& json, Material& material, int& uv_set) {
@@ -168,7 +178,8 @@ void GltfMaterials::read_specular_glossiness(const GltfValue& json, Material& ma
   material.shininess = shininess_of(1.0f - static_cast<float>(json.number("glossinessFactor", 1.0, 0.0, 1.0)));
   material.base_colour_texture = k_no_texture;
   material.base_colour_uv = {};
-  if (const auto info = json.object("diffuseTexture")) material.base_colour_texture = texture(*info, true, material.base_colour_uv, uv_set);
+  if (const auto info = json.object("diffuseTexture"))
+    material.base_colour_texture = texture(*info, true, material.base_colour_uv, uv_set);
 }
 
 void GltfMaterials::read_normal_map(const GltfValue& json, Material& material, int& uv_set) {
@@ -180,8 +191,10 @@ void GltfMaterials::read_normal_map(const GltfValue& json, Material& material, i
   if (material.base_colour_texture == k_no_texture) {
     uv_set = own_set;
   } else if (material.normal_texture != k_no_texture && own_set != uv_set) {
-    log_warning("{}: {}.texCoord: is {} where the base colour has {}; one set of coordinates per material is supported, the normal map is left out",
-                document_.name(), info->place(), own_set, uv_set);
+    log_warning(
+        "{}: {}.texCoord: is {} where the base colour has {}; one set of coordinates per material is supported, the normal map "
+        "is left out",
+        document_.name(), info->place(), own_set, uv_set);
     material.normal_texture = k_no_texture;
   }
 }
@@ -189,17 +202,20 @@ void GltfMaterials::read_normal_map(const GltfValue& json, Material& material, i
 // What only the pixels tell: whether a material has holes at all.
 void GltfMaterials::settle_coverage() {
   const auto texture_has_holes = [&](const Material& m) {
-    return m.base_colour_texture != k_no_texture && has_transparency(scene_.textures[static_cast<size_t>(m.base_colour_texture)].image);
+    return m.base_colour_texture != k_no_texture &&
+           has_transparency(scene_.textures[static_cast<size_t>(m.base_colour_texture)].image);
   };
   for (const int i : blended_) {
     Material& material = scene_.materials[static_cast<size_t>(i)];
     material.masked = texture_has_holes(material);
     material.alpha_cutoff = 0.5f;
     if (material.masked) material.base_colour.w = 1.0f;
-    log_debug("{}: materials[{}].alphaMode: BLEND is treated as {}", document_.name(), i, material.masked ? "MASK at 0.5" : "OPAQUE");
+    log_debug("{}: materials[{}].alphaMode: BLEND is treated as {}", document_.name(), i,
+              material.masked ? "MASK at 0.5" : "OPAQUE");
   }
   for (Material& material : scene_.materials) {
-    if (material.masked && !texture_has_holes(material) && material.base_colour.w >= material.alpha_cutoff) material.masked = false;
+    if (material.masked && !texture_has_holes(material) && material.base_colour.w >= material.alpha_cutoff)
+      material.masked = false;
   }
 }
 

@@ -49,7 +49,7 @@ class GltfMaterials {
   Scene& scene_;
   std::vector<GltfValue> images_;
   std::vector<Sampled> textures_;
-  std::map<int, Picture> pictures_;  // by image, those that are used
+  std::map<int, Picture> pictures_;      // by image, those that are used
   std::vector<int> picture_of_texture_;  // scene texture -> image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> made_;
   std::vector<int> uv_sets_, blended_;

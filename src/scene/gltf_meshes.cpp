@@ -45,7 +45,8 @@ class Primitive {
     const auto mode = static_cast<Mode>(json_.integer("mode", k_triangles, k_points, k_fan));
     const int material = json_.index("material", document_.root().objects("materials").size(), "materials");
     const GltfValue attributes = json_.required_object("attributes");
-    for (const auto& [name, accessor] : attributes.named_indices(accessors_.count(), "accessors")) accessor_of_[name] = accessor;
+    for (const auto& [name, accessor] : attributes.named_indices(accessors_.count(), "accessors"))
+      accessor_of_[name] = accessor;
     const int index_accessor = json_.index("indices", accessors_.count(), "accessors");
     if (mode < k_triangles) return skipped("points and lines cast no shadow here");
     if (!accessor_of_.contains("POSITION")) return skipped("without POSITION there is nothing to draw");
@@ -78,7 +79,8 @@ class Primitive {
     if (!extension) return;
     const int view = extension->required_index("bufferView", document_.view_count(), "bufferViews");
     std::map<std::string, uint32_t> ids;
-    for (const auto& [name, id] : extension->required_object("attributes").named_indices(1u << 16, "the attributes of the stream")) {
+    for (const auto& [name, id] :
+         extension->required_object("attributes").named_indices(1u << 16, "the attributes of the stream")) {
       ids[name] = static_cast<uint32_t>(id);
     }
     const std::string problem = decode_draco(document_.view(view, extension->where("bufferView")), ids, draco_);
@@ -114,7 +116,8 @@ class Primitive {
     document_.budget().take(vertex_count_, where("POSITION"));
     std::vector<uint32_t> new_index(vertex_count_, 0);
     for (size_t i = 0; i < indices.size(); ++i) {
-      if (indices[i] >= vertex_count_) json_.fail_in("indices", "element {} is {}; there are {} vertices", i, indices[i], vertex_count_);
+      if (indices[i] >= vertex_count_)
+        json_.fail_in("indices", "element {} is {}; there are {} vertices", i, indices[i], vertex_count_);
       new_index[indices[i]] = 1;
     }
     for (uint32_t vertex = 0; vertex < vertex_count_; ++vertex) {
@@ -127,21 +130,24 @@ class Primitive {
 
   template <int N>
   std::vector<glm::vec<N, float>> attribute(const std::string& name) const {
-    if (const auto draco = draco_.attributes.find(name); draco != draco_.attributes.end()) return from_draco<N>(name, draco->second);
+    if (const auto draco = draco_.attributes.find(name); draco != draco_.attributes.end())
+      return from_draco<N>(name, draco->second);
     return accessors_.floats<N>(accessor_of_.at(name), where(name), &used_);
   }
 
   template <int N>
   std::vector<glm::vec<N, float>> from_draco(const std::string& name, const DracoMesh::Attribute& attribute) const {
     if (attribute.components != N) {
-      fail("{}: {}: has {} components in the compressed data; valid: {}", document_.name(), where(name), attribute.components, N);
+      fail("{}: {}: has {} components in the compressed data; valid: {}", document_.name(), where(name), attribute.components,
+           N);
     }
     const float scale = attribute.normalised ? 1.0f : integer_scale(name);
     std::vector<glm::vec<N, float>> values(used_.size());
     for (size_t i = 0; i < used_.size(); ++i) {
       for (int c = 0; c < N; ++c) {
         values[i][c] = attribute.values[size_t{used_[i]} * N + static_cast<size_t>(c)] * scale;
-        if (!std::isfinite(values[i][c])) fail("{}: {}: element {} is not finite; valid: finite numbers", document_.name(), where(name), used_[i]);
+        if (!std::isfinite(values[i][c]))
+          fail("{}: {}: element {} is not finite; valid: finite numbers", document_.name(), where(name), used_[i]);
       }
     }
     return values;
@@ -155,7 +161,8 @@ class Primitive {
 
   std::vector<vec4> colours() const {
     const auto draco = draco_.attributes.find("COLOR_0");
-    const int components = draco != draco_.attributes.end() ? draco->second.components : accessors_.components(accessor_of_.at("COLOR_0"));
+    const int components =
+        draco != draco_.attributes.end() ? draco->second.components : accessors_.components(accessor_of_.at("COLOR_0"));
     if (components == 4) return attribute<4>("COLOR_0");
     std::vector<vec4> result;
     for (const vec3& colour : attribute<3>("COLOR_0")) result.emplace_back(colour, 1.0f);

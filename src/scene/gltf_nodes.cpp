@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/log.h"
+#include "scene/gltf_lights_cameras.h"
 
 namespace gnomon {
 namespace {
@@ -54,9 +55,9 @@ class Nodes {
       : document_(document), accessors_(accessors), meshes_(std::move(meshes)), scene_(scene) {
     const GltfValue root = document.root();
     nodes_ = root.objects("nodes");
-    for (const GltfValue& camera : root.objects("cameras")) cameras_.push_back(read_camera(camera));
+    for (const GltfValue& camera : root.objects("cameras")) cameras_.push_back(read_gltf_camera(camera));
     if (const auto lights = root.extension("KHR_lights_punctual")) {
-      for (const GltfValue& light : lights->objects("lights")) lights_.push_back(read_light(light));
+      for (const GltfValue& light : lights->objects("lights")) lights_.push_back(read_gltf_light(light));
     }
     read_hierarchy();
   }
@@ -68,65 +69,12 @@ class Nodes {
       Mesh& source = meshes_[static_cast<size_t>(mesh)];
       scene_.meshes[static_cast<size_t>(index)] = is_mirrored ? mirrored(source) : source;
     }
-    if (document_.root().has("skins")) log_warning("{}: skins are not supported; skinned meshes keep their bind pose", document_.name());
+    if (document_.root().has("skins"))
+      log_warning("{}: skins are not supported; skinned meshes keep their bind pose", document_.name());
     settle_far_planes();
   }
 
  private:
-  // --- lights and cameras ---
-
-  Camera read_camera(const GltfValue& json) {
-    Camera camera;
-    camera.name = json.text("name", json.place());
-    const std::string type = json.text("type", "");
-    constexpr double k_least = 1e-6;
-    if (type == "perspective") {
-      const GltfValue lens = json.required_object("perspective");
-      camera.vertical_fov = static_cast<float>(lens.required_number("yfov", k_least, 3.14159));
-      camera.near = static_cast<float>(lens.required_number("znear", k_least, 1e30));
-      camera.far = static_cast<float>(lens.number("zfar", 0.0, 0.0));
-      lens.number("aspectRatio", 1.0, k_least);
-      if (lens.has("zfar") && camera.far <= camera.near) lens.fail_in("zfar", "is {}; valid: beyond znear, {}", camera.far, camera.near);
-    } else if (type == "orthographic") {
-      const GltfValue lens = json.required_object("orthographic");
-      camera.orthographic = true;
-      camera.half_height = static_cast<float>(std::abs(lens.required_number("ymag", -k_any, k_any)));
-      if (camera.half_height == 0.0f) lens.fail_in("ymag", "is 0; valid: half the height of the view");
-      camera.near = static_cast<float>(lens.required_number("znear", 0.0, k_any));
-      camera.far = static_cast<float>(lens.required_number("zfar", 0.0, k_any));
-      if (camera.far <= camera.near) lens.fail_in("zfar", "is {}; valid: beyond znear, {}", camera.far, camera.near);
-    } else {
-      json.fail_in("type", "is \"{}\"; valid: perspective, orthographic", type);
-    }
-    return camera;
-  }
-
-  Light read_light(const GltfValue& json) {
-    Light light;
-    light.name = json.text("name", json.place());
-    const std::string type = json.text("type", "");
-    if (type == "directional") {
-      light.kind = LightKind::directional;
-    } else if (type == "point") {
-      light.kind = LightKind::point;
-    } else if (type == "spot") {
-      light.kind = LightKind::spot;
-      const GltfValue cone = json.required_object("spot");
-      light.outer_cone = std::min(static_cast<float>(cone.number("outerConeAngle", k_pi / 4.0, 1e-6, 1.5709)), 0.5f * k_pi);
-      light.inner_cone = static_cast<float>(cone.number("innerConeAngle", 0.0, 0.0, 1.5709));
-      if (light.inner_cone > light.outer_cone) {
-        cone.fail_in("innerConeAngle", "is {}; valid: at most outerConeAngle, {}", light.inner_cone, light.outer_cone);
-      }
-    } else {
-      json.fail_in("type", "is \"{}\"; valid: directional, point, spot", type);
-    }
-    light.colour = json.vector<3>("color", vec3(1.0f));
-    if (glm::any(glm::lessThan(light.colour, vec3(0.0f)))) json.fail_in("color", "valid: 0 or more");
-    light.intensity = static_cast<float>(json.number("intensity", 1.0, 0.0));
-    light.range = static_cast<float>(json.number("range", 0.0, 0.0));
-    return light;
-  }
-
   // --- hierarchy ---
 
   struct Node {
@@ -146,7 +94,8 @@ class Nodes {
       return m;
     }
     const vec4 rotation = json.vector<4>("rotation", vec4(0, 0, 0, 1));
-    if (!(glm::length(rotation) > 1e-6f) || !std::isfinite(glm::length(rotation))) json.fail_in("rotation", "valid: a unit quaternion");
+    if (!(glm::length(rotation) > 1e-6f) || !std::isfinite(glm::length(rotation)))
+      json.fail_in("rotation", "valid: a unit quaternion");
     return compose(json.vector<3>("translation", vec3(0.0f)), rotation_of(rotation), json.vector<3>("scale", vec3(1.0f)));
   }
 
@@ -159,7 +108,8 @@ class Nodes {
       for (size_t k = 0; k < node.children.size(); ++k) {
         int& parent = hierarchy_[static_cast<size_t>(node.children[k])].parent;
         if (parent >= 0) {
-          nodes_[i].fail_in(fmt::format("children[{}]", k), "node {} already has the parent {}; valid: each node below one parent", node.children[k], parent);
+          nodes_[i].fail_in(fmt::format("children[{}]", k),
+                            "node {} already has the parent {}; valid: each node below one parent", node.children[k], parent);
         }
         parent = static_cast<int>(i);
       }
@@ -181,7 +131,9 @@ class Nodes {
       open.insert(open.end(), hierarchy_[node].children.begin(), hierarchy_[node].children.end());
     }
     const auto circular = std::find(reached.begin(), reached.end(), false);
-    if (circular != reached.end()) nodes_[static_cast<size_t>(circular - reached.begin())].fail_in("children", "the node is its own ancestor; valid: a tree");
+    if (circular != reached.end())
+      nodes_[static_cast<size_t>(circular - reached.begin())].fail_in("children",
+                                                                      "the node is its own ancestor; valid: a tree");
   }
 
   // Of the default scene, else the first; of a file without scenes all nodes.
@@ -192,7 +144,8 @@ class Nodes {
       roots.push_back(json.indices("nodes", nodes_.size(), "nodes"));
       for (size_t i = 0; i < roots.back().size(); ++i) {
         const int node = roots.back()[i], parent = hierarchy_[static_cast<size_t>(node)].parent;
-        if (parent >= 0) json.fail_in(fmt::format("nodes[{}]", i), "node {} is a child of node {}; valid: nodes without parent", node, parent);
+        if (parent >= 0)
+          json.fail_in(fmt::format("nodes[{}]", i), "node {} is a child of node {}; valid: nodes without parent", node, parent);
       }
       std::sort(roots.back().begin(), roots.back().end());
       roots.back().erase(std::unique(roots.back().begin(), roots.back().end()), roots.back().end());
@@ -215,7 +168,8 @@ class Nodes {
       const Node& node = hierarchy_[static_cast<size_t>(index)];
       const mat4 world_from_node = world_from_parent * node.parent_from_node;
       add_node(nodes_[static_cast<size_t>(index)], world_from_node);
-      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) open.emplace_back(*child, world_from_node);
+      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+        open.emplace_back(*child, world_from_node);
     }
   }
 
@@ -230,7 +184,9 @@ class Nodes {
       scene_.cameras.push_back(std::move(placed));
     }
     if (const auto extension = json.extension("KHR_lights_punctual")) {
-      Light light = lights_.empty() ? Light{} : Light(lights_[static_cast<size_t>(extension->required_index("light", lights_.size(), "lights"))]);
+      Light light = lights_.empty()
+                        ? Light{}
+                        : Light(lights_[static_cast<size_t>(extension->required_index("light", lights_.size(), "lights"))]);
       if (lights_.empty()) extension->fail_in("light", "the file has no lights");
       light.name = json.text("name", light.name);
       const mat4 placed = rigid(world_from_node);
@@ -246,7 +202,8 @@ class Nodes {
     const auto instancing = json.extension("EXT_mesh_gpu_instancing");
     const std::vector<mat4> instances = instancing ? read_instances(*instancing) : std::vector<mat4>{mat4(1.0f)};
     if (meshes_[static_cast<size_t>(mesh)].parts.empty()) return;
-    if (instances.size() > k_max_objects - scene_.objects.size()) json.fail_here("more than {} objects in the scene", k_max_objects);
+    if (instances.size() > k_max_objects - scene_.objects.size())
+      json.fail_here("more than {} objects in the scene", k_max_objects);
     const std::string name = json.text("name", json.place());
     for (size_t i = 0; i < instances.size(); ++i) {
       Object object;
@@ -272,7 +229,8 @@ class Nodes {
     if (first < 0) json.fail_here("valid: at least one of TRANSLATION, ROTATION, SCALE");
     const size_t count = accessors_.element_count(first);
     for (const int accessor : {translation, rotation, scale}) {
-      if (accessor >= 0 && accessors_.element_count(accessor) != count) json.fail_here("its accessors differ in count; valid: one per instance");
+      if (accessor >= 0 && accessors_.element_count(accessor) != count)
+        json.fail_here("its accessors differ in count; valid: one per instance");
     }
     if (count > k_max_objects) json.fail_here("{} instances; valid: at most {}", count, k_max_objects);
     std::vector<vec3> translations(count, vec3(0.0f)), scales(count, vec3(1.0f));
@@ -295,7 +253,8 @@ class Nodes {
     for (Camera& camera : scene_.cameras) {
       if (camera.far > 0.0f) continue;
       float farthest = 0.0f;
-      for (int i = 0; i < 8 && !box.empty(); ++i) farthest = std::max(farthest, glm::distance(box.corner(i), vec3(camera.world_from_view[3])));
+      for (int i = 0; i < 8 && !box.empty(); ++i)
+        farthest = std::max(farthest, glm::distance(box.corner(i), vec3(camera.world_from_view[3])));
       camera.far = std::max({1.01f * farthest, 100.0f * camera.near});
     }
   }

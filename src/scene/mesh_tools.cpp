@@ -18,9 +18,7 @@ using glm::dvec2;
 using glm::dvec3;
 
 // Twice the triangle's area along its normal. Double precision: neither overflow nor, in practice, cancellation.
-dvec3 area_vector(const vec3& a, const vec3& b, const vec3& c) {
-  return glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
-}
+dvec3 area_vector(const vec3& a, const vec3& b, const vec3& c) { return glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a)); }
 
 // --- normals ---------------------------------------------------------------------------------------------------------
 
@@ -55,7 +53,8 @@ void for_each_group(const std::vector<uint32_t>& keys, uint32_t key_count, const
   for (const uint32_t key : keys) ++end_of[key + 1];
   std::partial_sum(end_of.begin(), end_of.end(), end_of.begin());
   for (uint32_t i = 0; i < keys.size(); ++i) items[end_of[keys[i]]++] = i;
-  for (size_t begin = 0, key = 0; key < key_count; begin = end_of[key++]) work(items.begin() + begin, items.begin() + end_of[key]);
+  for (size_t begin = 0, key = 0; key < key_count; begin = end_of[key++])
+    work(items.begin() + begin, items.begin() + end_of[key]);
 }
 
 // Equal keys in ascending order of the items: the outcome must not depend on the sort.
@@ -128,7 +127,9 @@ void make_normals(MeshPart& part, float crease_angle) {
         append_copy(part.positions, vertex), append_copy(part.tangents, vertex), append_copy(part.uvs, vertex);
         append_copy(part.colours, vertex), append_copy(part.normals, vertex);
       }
-      part.indices[*corner] = corner == begin ? vertex : new_set ? static_cast<uint32_t>(part.positions.size() - 1) : part.indices[corner[-1]];
+      part.indices[*corner] = corner == begin ? vertex
+                              : new_set       ? static_cast<uint32_t>(part.positions.size() - 1)
+                                              : part.indices[corner[-1]];
       part.normals[part.indices[*corner]] = unit_or_up(sums[sets.root(*corner)]);
     }
   });
@@ -197,7 +198,8 @@ bool zero_area(const vec3& a, const vec3& b, const vec3& c) {
   const dvec3 area = area_vector(a, b, c);
   const double reach = std::max({glm::length(dvec3(a)), glm::length(dvec3(b)), glm::length(dvec3(c))});
   if (glm::length(area) > 1e-14 * reach * reach) return false;
-  return collinear(a.x, a.y, b.x, b.y, c.x, c.y) && collinear(a.y, a.z, b.y, b.z, c.y, c.z) && collinear(a.z, a.x, b.z, b.x, c.z, c.x);
+  return collinear(a.x, a.y, b.x, b.y, c.x, c.y) && collinear(a.y, a.z, b.y, b.z, c.y, c.z) &&
+         collinear(a.z, a.x, b.z, b.x, c.z, c.x);
 }
 
 void drop_degenerate(MeshPart& part) {
@@ -231,10 +233,12 @@ void remap_vertices(MeshPart& part, const std::vector<uint32_t>& table, size_t n
 
 void optimise(MeshPart& part) {
   const size_t count = part.positions.size();
-  GNOMON_ASSERT(part.normals.size() == count && part.tangents.size() == count && part.uvs.size() == count && part.colours.size() == count);
+  GNOMON_ASSERT(part.normals.size() == count && part.tangents.size() == count && part.uvs.size() == count &&
+                part.colours.size() == count);
   drop_degenerate(part);
   if (part.indices.empty()) {
-    part = MeshPart{.positions = {}, .normals = {}, .tangents = {}, .uvs = {}, .colours = {}, .indices = {}, .material = part.material};
+    part = MeshPart{
+        .positions = {}, .normals = {}, .tangents = {}, .uvs = {}, .colours = {}, .indices = {}, .material = part.material};
     return;
   }
   const meshopt_Stream streams[] = {{part.positions.data(), sizeof(vec3), sizeof(vec3)},
@@ -243,7 +247,8 @@ void optimise(MeshPart& part) {
                                     {part.uvs.data(), sizeof(vec2), sizeof(vec2)},
                                     {part.colours.data(), sizeof(vec4), sizeof(vec4)}};
   std::vector<uint32_t> table(count);
-  const size_t unique = meshopt_generateVertexRemapMulti(table.data(), part.indices.data(), part.indices.size(), count, streams, std::size(streams));
+  const size_t unique = meshopt_generateVertexRemapMulti(table.data(), part.indices.data(), part.indices.size(), count, streams,
+                                                         std::size(streams));
   remap_vertices(part, table, unique);
 
   meshopt_optimizeVertexCache(part.indices.data(), part.indices.data(), part.indices.size(), unique);

@@ -1,14 +1,15 @@
 // Wavefront OBJ: one object for each o/g group, in it one part for each material.
-#include <bit>
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <unordered_map>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
-#include "scene/finish_part.h"
 #include "scene/load.h"
 #include "scene/obj_materials.h"
+#include "scene/obj_mesh.h"
 #include "scene/obj_polygon.h"
 #include "scene/obj_text.h"
 #include "scene/parallel.h"
@@ -16,64 +17,21 @@
 namespace gnomon {
 namespace {
 
-constexpr int32_t k_absent = -1;
-
-struct Corner {
-  int32_t position = k_absent, uv = k_absent, normal = k_absent;
-  bool operator==(const Corner&) const = default;
-};
-
-// Numbers distinct corners in their order of appearance. Open addressing: std::unordered_map takes a third of the loading time.
-class CornerTable {
- public:
-  explicit CornerTable(size_t corner_count) : slots_(std::bit_ceil(2 * corner_count + 1)) {}
-
-  std::pair<uint32_t, bool> insert(const Corner& c) {
-    for (size_t slot = hash(c);; ++slot) {
-      Slot& s = slots_[slot & (slots_.size() - 1)];
-      if (s.corner == c) return {s.number, false};
-      if (s.corner.position != k_absent) continue;
-      s = {c, count_++};
-      return {s.number, true};
-    }
-  }
-
- private:
-  struct Slot {
-    Corner corner;  // position k_absent: free
-    uint32_t number = 0;
-  };
-  static size_t hash(const Corner& c) {
-    uint64_t bits = static_cast<uint32_t>(c.position);
-    for (const int32_t more : {c.uv, c.normal}) bits = bits * 0x9e3779b97f4a7c15ull + static_cast<uint32_t>(more);
-    bits *= 0x9e3779b97f4a7c15ull;
-    return static_cast<size_t>(bits ^ bits >> 32);
-  }
-
-  std::vector<Slot> slots_;
-  uint32_t count_ = 0;
-};
-
-// Triangles of one group and material, three corners each. Faces without normals are kept apart: theirs are made.
-struct Faces {
-  int material = 0;
-  bool has_normals = false;
-  std::vector<Corner> corners;
-};
 struct Group {
   std::string name;
-  std::vector<Faces> faces;
+  std::vector<ObjFaces> faces;
 };
 
 class ObjLoader {
  public:
-  ObjLoader(std::string_view text, const std::string& source) : text_(text), source_(source), progress_("reading " + source, 2 * text.size()) {}
+  ObjLoader(std::string_view text, const std::string& source)
+      : text_(text), source_(source), progress_("reading " + source, 2 * text.size()) {}
 
   Scene load(const std::filesystem::path& folder) {
     refuse_other_encodings();
     read_vertices();
     read_faces();
-    if (positions_.empty()) fail_at(1, "no vertices (lines that start with v) in the whole file; is it an OBJ file?");
+    if (vertices_.positions.empty()) fail_at(1, "no vertices (lines that start with v) in the whole file; is it an OBJ file?");
     Scene scene;
     scene.source = source_;
     scene.name = std::filesystem::path(source_).filename().string();
@@ -118,9 +76,9 @@ class ObjLoader {
         add_position(s);
       } else if (s.keyword == "vt") {
         const vec2 uv = numbers<2>(s, 1);
-        uvs_.emplace_back(uv.x, 1.0f - uv.y);  // v runs upward in OBJ
+        vertices_.uvs.emplace_back(uv.x, 1.0f - uv.y);  // v runs upward in OBJ
       } else if (s.keyword == "vn") {
-        normals_.push_back(numbers<3>(s, 3));
+        vertices_.normals.push_back(numbers<3>(s, 3));
       }
       progress_.update(s.offset);
     }
@@ -129,10 +87,10 @@ class ObjLoader {
   // x y z [w], or x y z r g b: the colours that scanners write, taken as linear. A weight w is of curves only.
   void add_position(const ObjStatement& statement) {
     const auto values = vertex_numbers(statement);
-    positions_.emplace_back(values.xyz);
-    if (!values.has_colour && colours_.empty()) return;
-    colours_.resize(positions_.size() - 1, vec4(1.0f));
-    colours_.emplace_back(values.has_colour ? values.rgb : vec3(1.0f), 1.0f);
+    vertices_.positions.emplace_back(values.xyz);
+    if (!values.has_colour && vertices_.colours.empty()) return;
+    vertices_.colours.resize(vertices_.positions.size() - 1, vec4(1.0f));
+    vertices_.colours.emplace_back(values.has_colour ? values.rgb : vec3(1.0f), 1.0f);
   }
 
   struct VertexNumbers {
@@ -181,7 +139,8 @@ class ObjLoader {
       progress_.update(text_.size() + s.offset);
     }
     if (short_faces_ > 0) {
-      log_warning("{}:{}: {} face(s) with fewer than three corners are left out (this is the first)", source_, first_short_face_, short_faces_);
+      log_warning("{}:{}: {} face(s) with fewer than three corners are left out (this is the first)", source_,
+                  first_short_face_, short_faces_);
     }
   }
 
@@ -210,15 +169,15 @@ class ObjLoader {
     return seen > 0 ? fmt::format("1 to {}, or -{} to -1", count, seen) : fmt::format("1 to {}", count);
   }
 
-  Corner corner(std::string_view word, size_t line) const {
-    Corner result;
+  ObjCorner corner(std::string_view word, size_t line) const {
+    ObjCorner result;
     const size_t first = word.find('/'), second = first == word.npos ? word.npos : word.find('/', first + 1);
-    result.position = resolve(word.substr(0, first), positions_.size(), seen_.position, "vertex", line);
+    result.position = resolve(word.substr(0, first), vertices_.positions.size(), seen_.position, "vertex", line);
     if (first == word.npos) return result;
     const auto uv = word.substr(first + 1, second == word.npos ? word.npos : second - first - 1);
-    if (!uv.empty()) result.uv = resolve(uv, uvs_.size(), seen_.uv, "texture coordinate", line);
+    if (!uv.empty()) result.uv = resolve(uv, vertices_.uvs.size(), seen_.uv, "texture coordinate", line);
     if (second == word.npos || second + 1 == word.size()) return result;
-    result.normal = resolve(word.substr(second + 1), normals_.size(), seen_.normal, "normal", line);
+    result.normal = resolve(word.substr(second + 1), vertices_.normals.size(), seen_.normal, "normal", line);
     return result;
   }
 
@@ -228,8 +187,9 @@ class ObjLoader {
     std::string_view rest = statement.rest;
     for (std::string_view word; !(word = next_word(rest)).empty();) {
       polygon_.push_back(corner(word, statement.line));
-      polygon_positions_.push_back(positions_[static_cast<size_t>(polygon_.back().position)]);
-      has_normals = has_normals && polygon_.back().normal != k_absent && normals_[static_cast<size_t>(polygon_.back().normal)] != vec3(0.0f);
+      polygon_positions_.push_back(vertices_.positions[static_cast<size_t>(polygon_.back().position)]);
+      has_normals = has_normals && polygon_.back().normal != k_absent &&
+                    vertices_.normals[static_cast<size_t>(polygon_.back().normal)] != vec3(0.0f);
     }
     if (polygon_.size() < 3) {
       if (short_faces_++ == 0) first_short_face_ = statement.line;
@@ -238,7 +198,7 @@ class ObjLoader {
     if (!triangulate(polygon_positions_, triangles_)) {
       fail_at(statement.line, "a concave polygon of {} corners; valid: at most {}", polygon_.size(), k_max_concave_corners);
     }
-    std::vector<Corner>& corners = current_faces(has_normals).corners;
+    std::vector<ObjCorner>& corners = current_faces(has_normals).corners;
     for (const auto& triangle : triangles_) {
       for (const uint32_t i : triangle) {
         corners.push_back(polygon_[i]);
@@ -248,7 +208,7 @@ class ObjLoader {
   }
 
   // Of the current group and material; the last answer is kept, since it is asked for every face.
-  Faces& current_faces(bool has_normals) {
+  ObjFaces& current_faces(bool has_normals) {
     if (faces_ && faces_->has_normals == has_normals) return *faces_;
     const std::string separator = object_name_.empty() || group_name_.empty() ? "" : "/";
     const std::string name = object_name_ + separator + group_name_;
@@ -256,8 +216,9 @@ class ObjLoader {
     if (is_new) groups_.push_back({name, {}});
     if (material_ < 0) material_ = material_index("");
     auto& all = groups_[entry->second].faces;
-    auto found = std::find_if(all.begin(), all.end(), [&](const Faces& f) { return f.material == material_ && f.has_normals == has_normals; });
-    if (found == all.end()) found = all.insert(all.end(), Faces{material_, has_normals, {}});
+    auto found = std::find_if(all.begin(), all.end(),
+                              [&](const ObjFaces& f) { return f.material == material_ && f.has_normals == has_normals; });
+    if (found == all.end()) found = all.insert(all.end(), ObjFaces{material_, has_normals, {}});
     faces_ = &*found;
     return *faces_;
   }
@@ -265,7 +226,7 @@ class ObjLoader {
   // --- from faces to meshes ---
 
   void build(Scene& scene) {
-    std::vector<std::pair<const Faces*, MeshPart*>> work;
+    std::vector<std::pair<const ObjFaces*, MeshPart*>> work;
     for (const Group& group : groups_) {
       Mesh mesh;
       mesh.name = group.name.empty() ? scene.name : group.name;
@@ -280,53 +241,28 @@ class ObjLoader {
       for (size_t i = 0; i < groups_[g].faces.size(); ++i) work.emplace_back(&groups_[g].faces[i], &scene.meshes[g].parts[i]);
     }
     Progress progress("preparing " + source_, work.size());
-    parallel_for(work.size(), progress, [&](size_t i) { *work[i].second = build_part(*work[i].first); });
-  }
-
-  // Vertices are the distinct corners.
-  MeshPart build_part(const Faces& faces) const {
-    MeshPart part;
-    part.material = faces.material;
-    part.indices.reserve(faces.corners.size());
-    CornerTable vertices(faces.corners.size());
-    for (const Corner& c : faces.corners) {
-      const auto [vertex, is_new] = vertices.insert(c);
-      if (is_new) add_vertex(part, c);
-      part.indices.push_back(vertex);
-    }
-    finish_part(part);
-    return part;
-  }
-
-  void add_vertex(MeshPart& part, const Corner& c) const {
-    const auto position = static_cast<size_t>(c.position);
-    part.positions.push_back(positions_[position]);
-    part.uvs.push_back(c.uv == k_absent ? vec2(0.0f) : uvs_[static_cast<size_t>(c.uv)]);
-    if (c.normal != k_absent) part.normals.push_back(normals_[static_cast<size_t>(c.normal)]);
-    if (!colours_.empty()) part.colours.push_back(position < colours_.size() ? colours_[position] : vec4(1.0f));
+    parallel_for(work.size(), progress, [&](size_t i) { *work[i].second = build_obj_part(vertices_, *work[i].first); });
   }
 
   std::string_view text_;
   const std::string& source_;
   Progress progress_;
 
-  std::vector<vec3> positions_, normals_;
-  std::vector<vec2> uvs_;
-  std::vector<vec4> colours_;  // empty, or up to the last vertex that has one
+  ObjVertices vertices_;
 
   struct {
     int32_t position = 0, uv = 0, normal = 0;
   } seen_;  // lines so far, in the second pass
   std::string object_name_, group_name_;
   int material_ = -1;
-  Faces* faces_ = nullptr;
+  ObjFaces* faces_ = nullptr;
   std::vector<Group> groups_;
   std::unordered_map<std::string, size_t> group_of_name_;
   std::unordered_map<std::string, int> material_of_name_;
   std::vector<std::string> material_names_, libraries_;
   size_t short_faces_ = 0, first_short_face_ = 0;
 
-  std::vector<Corner> polygon_;  // scratch of add_face
+  std::vector<ObjCorner> polygon_;  // scratch of add_face
   std::vector<vec3> polygon_positions_;
   std::vector<std::array<uint32_t, 3>> triangles_;
 };

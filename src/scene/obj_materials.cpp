@@ -58,7 +58,8 @@ std::vector<std::string> split_names(std::string_view text) {
 }
 
 // One line however many are missing: a map without its game lacks hundreds.
-void warn_missing(const std::string& source, std::string_view what, const std::vector<std::string>& names, std::string_view consequence) {
+void warn_missing(const std::string& source, std::string_view what, const std::vector<std::string>& names,
+                  std::string_view consequence) {
   if (names.empty()) return;
   constexpr size_t k_shown = 3;
   std::string list;
@@ -211,7 +212,7 @@ class MaterialMaker {
     material.base_colour_uv = uv_transform(option);
     if (mask || has_transparency(scene_.textures[static_cast<size_t>(material.base_colour_texture)].image)) {
       material.masked = true;
-      material.base_colour.w = 1.0f;     // `d` of a masked material is often 0: the picture alone says where there is something
+      material.base_colour.w = 1.0f;  // `d` of a masked material is often 0: the picture alone says where there is something
     }
   }
 
@@ -254,8 +255,8 @@ class MaterialMaker {
 
 }  // namespace
 
-void add_obj_materials(Scene& scene, const std::string& source, const fs::path& folder, const std::vector<std::string>& libraries,
-                       const std::vector<std::string>& names) {
+void add_obj_materials(Scene& scene, const std::string& source, const fs::path& folder,
+                       const std::vector<std::string>& libraries, const std::vector<std::string>& names) {
   const Libraries library(source, folder, libraries);
   std::set<std::string> pictures;
   std::vector<std::string> missing;

@@ -16,7 +16,9 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-bool has_name(std::string_view keyword) { return keyword == "usemtl" || keyword == "mtllib" || keyword == "o" || keyword == "g"; }
+bool has_name(std::string_view keyword) {
+  return keyword == "usemtl" || keyword == "mtllib" || keyword == "o" || keyword == "g";
+}
 
 }  // namespace
 

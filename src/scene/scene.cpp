@@ -129,7 +129,8 @@ Camera framing_camera(const Scene& scene, float aspect) {
   const float radius = std::max({box.radius(), 1e-3f * glm::length(box.centre()), 1e-3f});
 
   // Towards the viewer: from above, front and right.
-  const vec3 back(std::cos(k_elevation) * std::sin(k_azimuth), std::sin(k_elevation), std::cos(k_elevation) * std::cos(k_azimuth));
+  const vec3 back(std::cos(k_elevation) * std::sin(k_azimuth), std::sin(k_elevation),
+                  std::cos(k_elevation) * std::cos(k_azimuth));
   const vec3 right = glm::normalize(glm::cross(vec3(0, 1, 0), back));
   const vec3 up = glm::cross(back, right);
   const float tan_y = std::tan(0.5f * camera.vertical_fov), tan_x = tan_y * std::max(aspect, 1e-3f);

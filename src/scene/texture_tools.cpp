@@ -29,13 +29,16 @@ void set_alpha(Image8& colour, const Image8& mask) {
     return own_alpha ? static_cast<float>(p[3]) : static_cast<float>(p[0] + p[1] + p[2]) / 3.0f;
   };
   for (int y = 0; y < colour.height; ++y) {
-    const float my = (static_cast<float>(y) + 0.5f) * static_cast<float>(mask.height) / static_cast<float>(colour.height) - 0.5f;
+    const float my =
+        (static_cast<float>(y) + 0.5f) * static_cast<float>(mask.height) / static_cast<float>(colour.height) - 0.5f;
     const int y0 = static_cast<int>(std::floor(my));
     for (int x = 0; x < colour.width; ++x) {
-      const float mx = (static_cast<float>(x) + 0.5f) * static_cast<float>(mask.width) / static_cast<float>(colour.width) - 0.5f;
+      const float mx =
+          (static_cast<float>(x) + 0.5f) * static_cast<float>(mask.width) / static_cast<float>(colour.width) - 0.5f;
       const int x0 = static_cast<int>(std::floor(mx));
       const float fx = mx - static_cast<float>(x0), fy = my - static_cast<float>(y0);
-      const float top = glm::mix(value(x0, y0), value(x0 + 1, y0), fx), bottom = glm::mix(value(x0, y0 + 1), value(x0 + 1, y0 + 1), fx);
+      const float top = glm::mix(value(x0, y0), value(x0 + 1, y0), fx),
+                  bottom = glm::mix(value(x0, y0 + 1), value(x0 + 1, y0 + 1), fx);
       colour.at(x, y)[3] = static_cast<uint8_t>(std::lround(glm::mix(top, bottom, fy)));
     }
   }

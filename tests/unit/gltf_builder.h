@@ -38,7 +38,8 @@ class GltfBuilder {
 
   // Returns the index of a new accessor over `values`, which has `count` elements of that type.
   template <class T>
-  int accessor(const std::vector<T>& values, const std::string& type, Component component, size_t count, bool normalised = false, int stride = 0) {
+  int accessor(const std::vector<T>& values, const std::string& type, Component component, size_t count,
+               bool normalised = false, int stride = 0) {
     json a = {{"bufferView", view_of(values, stride)}, {"componentType", component}, {"type", type}, {"count", count}};
     if (normalised) a["normalized"] = true;
     return add("accessors", a);

@@ -59,11 +59,17 @@ std::vector<std::byte> encoded_vertices(const void* data, size_t count, size_t s
 // A builder whose views are compressed; the uncompressed buffer is a fallback without data.
 class MeshoptBuilder : public GltfBuilder {
  public:
-  int compressed_view(const std::vector<std::byte>& encoded, size_t count, size_t stride, const std::string& mode, const std::string& filter = "NONE") {
+  int compressed_view(const std::vector<std::byte>& encoded, size_t count, size_t stride, const std::string& mode,
+                      const std::string& filter = "NONE") {
     while (data.size() % 4 != 0) data.push_back(std::byte{0});
-    const json extension = {{"buffer", 0}, {"byteOffset", data.size()}, {"byteLength", encoded.size()}, {"byteStride", stride}, {"count", count}, {"mode", mode}, {"filter", filter}};
+    const json extension = {
+        {"buffer", 0},  {"byteOffset", data.size()}, {"byteLength", encoded.size()}, {"byteStride", stride}, {"count", count},
+        {"mode", mode}, {"filter", filter}};
     data.insert(data.end(), encoded.begin(), encoded.end());
-    json v = {{"buffer", 1}, {"byteOffset", fallback_size_}, {"byteLength", count * stride}, {"extensions", {{"EXT_meshopt_compression", extension}}}};
+    json v = {{"buffer", 1},
+              {"byteOffset", fallback_size_},
+              {"byteLength", count * stride},
+              {"extensions", {{"EXT_meshopt_compression", extension}}}};
     if (mode == "ATTRIBUTES") v["byteStride"] = stride;
     fallback_size_ += (count * stride + 3) & ~size_t{3};
     root["buffers"][1] = {{"byteLength", fallback_size_}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}};
@@ -71,11 +77,14 @@ class MeshoptBuilder : public GltfBuilder {
     return add("bufferViews", v);
   }
   int compressed_accessor(int view, const char* type, int component, size_t count, bool normalised = false) {
-    return add("accessors", {{"bufferView", view}, {"type", type}, {"componentType", component}, {"count", count}, {"normalized", normalised}});
+    return add(
+        "accessors",
+        {{"bufferView", view}, {"type", type}, {"componentType", component}, {"count", count}, {"normalized", normalised}});
   }
   int compressed_positions(const Grid& grid) {
     const auto encoded = encoded_vertices(grid.positions.data(), grid.positions.size(), sizeof(vec3));
-    return compressed_accessor(compressed_view(encoded, grid.positions.size(), sizeof(vec3), "ATTRIBUTES"), "VEC3", test_files::k_float, grid.positions.size());
+    return compressed_accessor(compressed_view(encoded, grid.positions.size(), sizeof(vec3), "ATTRIBUTES"), "VEC3",
+                               test_files::k_float, grid.positions.size());
   }
 
  private:
@@ -97,7 +106,8 @@ TEST(Meshopt, AttributesTrianglesAndIndexSequences) {
         buffer.resize(meshopt_encodeIndexBuffer(buffer.data(), buffer.size(), grid.indices.data(), grid.indices.size()));
       }
       const int view = b.compressed_view(as_bytes(buffer), grid.indices.size(), width, sequence ? "INDICES" : "TRIANGLES");
-      const int indices = b.compressed_accessor(view, "SCALAR", width == 2 ? test_files::k_ushort : test_files::k_uint, grid.indices.size());
+      const int indices =
+          b.compressed_accessor(view, "SCALAR", width == 2 ? test_files::k_ushort : test_files::k_uint, grid.indices.size());
       b.node({{"mesh", b.mesh({{"POSITION", positions}}, indices)}});
       const Scene scene = b.load();
       EXPECT_EQ(scene.triangle_count(), 2u * Grid::k_side * Grid::k_side);
@@ -136,8 +146,12 @@ TEST(Meshopt, QuaternionAndExponentialFiltersInInstances) {
   meshopt_encodeFilterExp(exponents.data(), 4, 12, 20, &translations[0].x);
   MeshoptBuilder b;
   b.triangle();
-  const int r = b.compressed_accessor(b.compressed_view(encoded_vertices(quaternions.data(), 4, 8), 4, 8, "ATTRIBUTES", "QUATERNION"), "VEC4", test_files::k_short, 4, true);
-  const int t = b.compressed_accessor(b.compressed_view(encoded_vertices(exponents.data(), 4, 12), 4, 12, "ATTRIBUTES", "EXPONENTIAL"), "VEC3", test_files::k_float, 4);
+  const int r =
+      b.compressed_accessor(b.compressed_view(encoded_vertices(quaternions.data(), 4, 8), 4, 8, "ATTRIBUTES", "QUATERNION"),
+                            "VEC4", test_files::k_short, 4, true);
+  const int t =
+      b.compressed_accessor(b.compressed_view(encoded_vertices(exponents.data(), 4, 12), 4, 12, "ATTRIBUTES", "EXPONENTIAL"),
+                            "VEC3", test_files::k_float, 4);
   b.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"ROTATION", r}, {"TRANSLATION", t}};
   const Scene scene = b.load();
   ASSERT_EQ(scene.objects.size(), 4u);
@@ -206,7 +220,8 @@ DracoData encoded_with_draco(const Grid& grid) {
   const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
   const int uv = builder.AddAttribute(draco::GeometryAttribute::TEX_COORD, 2, draco::DT_FLOAT32);
   for (uint32_t f = 0; f < grid.indices.size() / 3; ++f) {
-    const vec3 p[3] = {grid.positions[grid.indices[3 * f]], grid.positions[grid.indices[3 * f + 1]], grid.positions[grid.indices[3 * f + 2]]};
+    const vec3 p[3] = {grid.positions[grid.indices[3 * f]], grid.positions[grid.indices[3 * f + 1]],
+                       grid.positions[grid.indices[3 * f + 2]]};
     const vec2 t[3] = {vec2(p[0]) / 20.0f, vec2(p[1]) / 20.0f, vec2(p[2]) / 20.0f};
     builder.SetAttributeValuesForFace(position, draco::FaceIndex(f), &p[0], &p[1], &p[2]);
     builder.SetAttributeValuesForFace(uv, draco::FaceIndex(f), &t[0], &t[1], &t[2]);
@@ -218,7 +233,9 @@ DracoData encoded_with_draco(const Grid& grid) {
   draco::EncoderBuffer buffer;
   EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
   const auto bytes = std::as_bytes(std::span(buffer.data(), buffer.size()));
-  return {{bytes.begin(), bytes.end()}, static_cast<int>(mesh->attribute(position)->unique_id()), static_cast<int>(mesh->attribute(uv)->unique_id())};
+  return {{bytes.begin(), bytes.end()},
+          static_cast<int>(mesh->attribute(position)->unique_id()),
+          static_cast<int>(mesh->attribute(uv)->unique_id())};
 }
 
 GltfBuilder draco_file(const Grid& grid, const DracoData& draco) {
@@ -226,9 +243,12 @@ GltfBuilder draco_file(const Grid& grid, const DracoData& draco) {
   const size_t vertices = grid.positions.size();
   const int positions = b.add("accessors", {{"type", "VEC3"}, {"componentType", test_files::k_float}, {"count", vertices}});
   const int uvs = b.add("accessors", {{"type", "VEC2"}, {"componentType", test_files::k_float}, {"count", vertices}});
-  const int indices = b.add("accessors", {{"type", "SCALAR"}, {"componentType", test_files::k_ushort}, {"count", grid.indices.size()}});
-  json extension = {{"bufferView", b.view(draco.bytes)}, {"attributes", {{"POSITION", draco.position_id}, {"TEXCOORD_0", draco.uv_id}}}};
-  b.node({{"mesh", b.mesh({{"POSITION", positions}, {"TEXCOORD_0", uvs}}, indices, {{"extensions", {{"KHR_draco_mesh_compression", extension}}}})}});
+  const int indices =
+      b.add("accessors", {{"type", "SCALAR"}, {"componentType", test_files::k_ushort}, {"count", grid.indices.size()}});
+  json extension = {{"bufferView", b.view(draco.bytes)},
+                    {"attributes", {{"POSITION", draco.position_id}, {"TEXCOORD_0", draco.uv_id}}}};
+  b.node({{"mesh", b.mesh({{"POSITION", positions}, {"TEXCOORD_0", uvs}}, indices,
+                          {{"extensions", {{"KHR_draco_mesh_compression", extension}}}})}});
   b.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
   return b;
 }
@@ -239,7 +259,8 @@ TEST(Draco, AccessorsWithoutBufferViews) {
   EXPECT_EQ(scene.triangle_count(), 2u * Grid::k_side * Grid::k_side);
   EXPECT_NEAR(test_files::area(scene), grid.area(), 0.5);
   const MeshPart& part = scene.meshes.at(0).parts.at(0);
-  for (size_t i = 0; i < part.positions.size(); ++i) EXPECT_LT(glm::distance(20.0f * part.uvs[i], vec2(part.positions[i])), 0.01f);
+  for (size_t i = 0; i < part.positions.size(); ++i)
+    EXPECT_LT(glm::distance(20.0f * part.uvs[i], vec2(part.positions[i])), 0.01f);
 }
 
 TEST(Draco, DamageIsReportedWithItsPlace) {

@@ -75,9 +75,12 @@ TEST(GltfMalformed, EveryErrorNamesItsPlaceAndWhatIsValid) {
       {"/nodes/0/translation", {0, 1e39, 0}, "nodes[0].translation[1]"},
       {"/nodes/0/matrix", {1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, "nodes[0].matrix"},
       {"/nodes/1/extensions/KHR_lights_punctual/light", 1, "nodes[1].extensions.KHR_lights_punctual.light"},
-      {"/nodes/2/extensions/EXT_mesh_gpu_instancing/attributes/TRANSLATION", 99, "nodes[2].extensions.EXT_mesh_gpu_instancing.attributes.TRANSLATION"},
-      {"/nodes/2/extensions/EXT_mesh_gpu_instancing/attributes/TRANSLATION", 2, "nodes[2].extensions.EXT_mesh_gpu_instancing.attributes.TRANSLATION"},
-      {"/nodes/2/extensions/EXT_mesh_gpu_instancing/attributes/SCALE", 0, "nodes[2].extensions.EXT_mesh_gpu_instancing.attributes"},
+      {"/nodes/2/extensions/EXT_mesh_gpu_instancing/attributes/TRANSLATION", 99,
+       "nodes[2].extensions.EXT_mesh_gpu_instancing.attributes.TRANSLATION"},
+      {"/nodes/2/extensions/EXT_mesh_gpu_instancing/attributes/TRANSLATION", 2,
+       "nodes[2].extensions.EXT_mesh_gpu_instancing.attributes.TRANSLATION"},
+      {"/nodes/2/extensions/EXT_mesh_gpu_instancing/attributes/SCALE", 0,
+       "nodes[2].extensions.EXT_mesh_gpu_instancing.attributes"},
       {"/meshes/0/primitives/0/attributes/POSITION", 99, "meshes[0].primitives[0].attributes.POSITION"},
       {"/meshes/0/primitives/0/attributes/POSITION", 2, "meshes[0].primitives[0].attributes.POSITION"},
       {"/meshes/0/primitives/0/attributes/NORMAL", 4, "meshes[0].primitives[0].attributes.NORMAL"},
@@ -119,7 +122,8 @@ TEST(GltfMalformed, EveryErrorNamesItsPlaceAndWhatIsValid) {
       {"/textures/0/source", -1, "textures[0].source"},
       {"/textures/0/sampler", 1, "textures[0].sampler"},
       {"/samplers/0/wrapS", 5, "samplers[0].wrapS"},
-      {"/materials/0/pbrMetallicRoughness/baseColorTexture/index", 4, "materials[0].pbrMetallicRoughness.baseColorTexture.index"},
+      {"/materials/0/pbrMetallicRoughness/baseColorTexture/index", 4,
+       "materials[0].pbrMetallicRoughness.baseColorTexture.index"},
       {"/materials/0/pbrMetallicRoughness/baseColorFactor", {1, 1, 1}, "materials[0].pbrMetallicRoughness.baseColorFactor"},
       {"/materials/0/pbrMetallicRoughness", 1, "materials[0].pbrMetallicRoughness"},
       {"/materials/0/alphaMode", "HALF", "materials[0].alphaMode"},
@@ -131,8 +135,10 @@ TEST(GltfMalformed, EveryErrorNamesItsPlaceAndWhatIsValid) {
       {"/cameras/0/perspective/zfar", 0.1, "cameras[0].perspective.zfar"},
       {"/extensions/KHR_lights_punctual/lights/0/type", "area", "extensions.KHR_lights_punctual.lights[0].type"},
       {"/extensions/KHR_lights_punctual/lights/0/intensity", -1, "extensions.KHR_lights_punctual.lights[0].intensity"},
-      {"/extensions/KHR_lights_punctual/lights/0/spot/innerConeAngle", 0.6, "extensions.KHR_lights_punctual.lights[0].spot.innerConeAngle"},
-      {"/extensions/KHR_lights_punctual/lights/0/spot/outerConeAngle", 3, "extensions.KHR_lights_punctual.lights[0].spot.outerConeAngle"},
+      {"/extensions/KHR_lights_punctual/lights/0/spot/innerConeAngle", 0.6,
+       "extensions.KHR_lights_punctual.lights[0].spot.innerConeAngle"},
+      {"/extensions/KHR_lights_punctual/lights/0/spot/outerConeAngle", 3,
+       "extensions.KHR_lights_punctual.lights[0].spot.outerConeAngle"},
   };
   for (const Case& c : cases) {
     json document = json::parse(rich_file().gltf());
@@ -172,7 +178,8 @@ TEST(GltfMalformed, TransformsThatOverflowAreRefused) {
   b.root["nodes"][0]["scale"] = {1e30, 1, 1};
   b.root["nodes"].push_back({{"children", {0}}, {"scale", {1e30, 1, 1}}});
   b.root["scenes"][0]["nodes"] = {1};
-  EXPECT_TRUE(error_of([&] { b.load(); }).starts_with("test.gltf: objects[0].world_from_object: ")) << error_of([&] { b.load(); });
+  EXPECT_TRUE(error_of([&] { b.load(); }).starts_with("test.gltf: objects[0].world_from_object: "))
+      << error_of([&] { b.load(); });
 }
 
 TEST(GltfMalformed, SmallFilesCannotAskForGigabytes) {
@@ -192,7 +199,8 @@ TEST(GltfMalformed, SmallFilesCannotAskForGigabytes) {
   GltfBuilder bomb;
   bomb.triangle();
   const int scale = bomb.add("accessors", {{"type", "VEC3"}, {"componentType", 5126}, {"count", 100000}});
-  for (int i = 0; i < 1000; ++i) bomb.node({{"mesh", 0}, {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", scale}}}}}}}});
+  for (int i = 0; i < 1000; ++i)
+    bomb.node({{"mesh", 0}, {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", scale}}}}}}}});
   const std::string message = error_of([&] { bomb.load(); });
   EXPECT_TRUE(message.find("objects in the scene") != message.npos || message.find("far more than") != message.npos) << message;
 }
@@ -225,10 +233,12 @@ TEST(GltfMalformed, ContainerErrors) {
   EXPECT_TRUE(error_of([] { GltfBuilder::load_text("{\n  \"asset\": {]\n}"); }).starts_with("test.gltf:2: byte 14: "));
   EXPECT_TRUE(error_of([] { GltfBuilder::load_text("[]"); }).starts_with("test.gltf: top level: "));
   EXPECT_TRUE(error_of([] { GltfBuilder::load_text("{}"); }).starts_with("test.gltf: asset: is missing"));
+  EXPECT_TRUE(error_of([] { GltfBuilder::load_text("{\"asset\": 1e999}"); }).starts_with("test.gltf: JSON: "));
   const std::string deep(1000000, '[');
   EXPECT_TRUE(error_of([&] { GltfBuilder::load_text(deep); }).starts_with("test.gltf:1: byte "));
-  EXPECT_TRUE(error_of([&] { GltfBuilder::load_text("{\"asset\":{\"version\":\"2.0\"},\"scenes\":" + deep + std::string(1000000, ']') + "}"); })
-                  .starts_with("test.gltf: scenes[0]: "));
+  EXPECT_TRUE(error_of([&] {
+                GltfBuilder::load_text("{\"asset\":{\"version\":\"2.0\"},\"scenes\":" + deep + std::string(1000000, ']') + "}");
+              }).starts_with("test.gltf: scenes[0]: "));
 }
 
 // A file of any bytes either loads into a scene that holds its invariants or ends in an error that starts with its name.
@@ -270,8 +280,26 @@ TEST(GltfMalformed, EveryFlippedByteLoadsOrFails) {
 
 // Replaces, removes or duplicates random members anywhere in the document.
 void mutate(json& value, std::mt19937& random, int& budget) {
-  static const std::vector<json> k_odd = {-1, 0, 1, 3, 255, 65536, 4294967295u, 18446744073709551615u, 1.5, -0.5, 1e300, "", "VEC3", nullptr, true,
-                                          json::array(), json::object(), json::array({0}), json::array({1, 2, 3}), json{{"index", 0}}};
+  static const std::vector<json> k_odd = {-1,
+                                          0,
+                                          1,
+                                          3,
+                                          255,
+                                          65536,
+                                          4294967295u,
+                                          18446744073709551615u,
+                                          1.5,
+                                          -0.5,
+                                          1e300,
+                                          "",
+                                          "VEC3",
+                                          nullptr,
+                                          true,
+                                          json::array(),
+                                          json::object(),
+                                          json::array({0}),
+                                          json::array({1, 2, 3}),
+                                          json{{"index", 0}}};
   if (budget <= 0) return;
   if (value.is_structured() && !value.empty() && random() % 8 != 0) {
     auto item = value.begin();

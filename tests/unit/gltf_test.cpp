@@ -12,13 +12,13 @@ namespace gnomon {
 namespace {
 
 using test_files::GltfBuilder;
+using test_files::json;
 using test_files::k_byte;
 using test_files::k_float;
 using test_files::k_short;
 using test_files::k_ubyte;
 using test_files::k_uint;
 using test_files::k_ushort;
-using test_files::json;
 
 const std::vector<vec3> k_corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
@@ -86,13 +86,20 @@ TEST(Gltf, QuantisedAndInterleavedAttributes) {
     uint16_t uv[2];
   };
   static_assert(sizeof(Vertex) == 16);
-  const std::vector<Vertex> vertices = {{{0, 0, 0, 0}, {0, 0, 127, 0}, {0, 65535}}, {{32767, 0, 0, 0}, {0, 0, 127, 0}, {65535, 65535}},
+  const std::vector<Vertex> vertices = {{{0, 0, 0, 0}, {0, 0, 127, 0}, {0, 65535}},
+                                        {{32767, 0, 0, 0}, {0, 0, 127, 0}, {65535, 65535}},
                                         {{0, -32768, 0, 0}, {0, 0, 127, 0}, {0, 0}}};
   const int view = b.view(std::as_bytes(std::span(vertices)), 16);
   const auto accessor = [&](int offset, const char* type, int component, bool normalised) {
-    return b.add("accessors", {{"bufferView", view}, {"byteOffset", offset}, {"type", type}, {"componentType", component}, {"normalized", normalised}, {"count", 3}});
+    return b.add("accessors", {{"bufferView", view},
+                               {"byteOffset", offset},
+                               {"type", type},
+                               {"componentType", component},
+                               {"normalized", normalised},
+                               {"count", 3}});
   };
-  const json attributes = {{"POSITION", accessor(0, "VEC3", k_short, true)}, {"NORMAL", accessor(8, "VEC3", k_byte, true)},
+  const json attributes = {{"POSITION", accessor(0, "VEC3", k_short, true)},
+                           {"NORMAL", accessor(8, "VEC3", k_byte, true)},
                            {"TEXCOORD_0", accessor(12, "VEC2", k_ushort, true)}};
   b.node({{"mesh", b.mesh(attributes, b.accessor(std::vector<uint8_t>{0, 2, 1}, "SCALAR", k_ubyte, 3))}, {"scale", {2, 2, 2}}});
   b.root["extensionsRequired"] = {"KHR_mesh_quantization"};
@@ -113,7 +120,8 @@ TEST(Gltf, QuantisedAndInterleavedAttributes) {
 TEST(Gltf, ColoursOfThreeBytes) {
   GltfBuilder b;
   const std::vector<uint8_t> colours = {255, 0, 0, 0, 0, 255, 0, 0, 51, 51, 51, 0};
-  b.node({{"mesh", b.mesh({{"POSITION", b.positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})}, {"COLOR_0", b.accessor(colours, "VEC3", k_ubyte, 3, true, 4)}})}});
+  b.node({{"mesh", b.mesh({{"POSITION", b.positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})},
+                           {"COLOR_0", b.accessor(colours, "VEC3", k_ubyte, 3, true, 4)}})}});
   const MeshPart part = only_part(b.load());
   EXPECT_EQ(part.colours[vertex_at(part, {1, 0, 0})], vec4(0, 1, 0, 1));
   EXPECT_NEAR(part.colours[vertex_at(part, {0, 1, 0})].x, 0.2f, 1e-6f);
@@ -131,14 +139,38 @@ TEST(Gltf, IndexWidthsStripsAndFans) {
     return test_files::area(scene);
   };
   const auto none = [](GltfBuilder&) { return -1; };
-  EXPECT_NEAR(area_of(json::object(), [](GltfBuilder& b) { return b.accessor(std::vector<uint32_t>{0, 1, 2, 0, 2, 3}, "SCALAR", k_uint, 6); }, k_corners), 1, 1e-6);
-  EXPECT_NEAR(area_of(json::object(), [](GltfBuilder& b) { return b.accessor(std::vector<uint8_t>{0, 1, 2, 0, 2, 3}, "SCALAR", k_ubyte, 6); }, k_corners), 1, 1e-6);
+  EXPECT_NEAR(area_of(
+                  json::object(),
+                  [](GltfBuilder& b) {
+                    return b.accessor(std::vector<uint32_t>{0, 1, 2, 0, 2, 3}, "SCALAR", k_uint, 6);
+                  },
+                  k_corners),
+              1, 1e-6);
+  EXPECT_NEAR(area_of(
+                  json::object(),
+                  [](GltfBuilder& b) {
+                    return b.accessor(std::vector<uint8_t>{0, 1, 2, 0, 2, 3}, "SCALAR", k_ubyte, 6);
+                  },
+                  k_corners),
+              1, 1e-6);
   EXPECT_NEAR(area_of(json::object(), none, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), 1, 1e-6);
   const std::vector<vec3> zigzag = {{0, 1, 0}, {0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {2, 1, 0}, {2, 0, 0}};
   EXPECT_NEAR(area_of({{"mode", 5}}, none, zigzag), 2, 1e-6);
-  EXPECT_NEAR(area_of({{"mode", 5}}, [](GltfBuilder& b) { return b.indices({0, 1, 2, 3}); }, zigzag), 1, 1e-6);
+  EXPECT_NEAR(area_of(
+                  {{"mode", 5}},
+                  [](GltfBuilder& b) {
+                    return b.indices({0, 1, 2, 3});
+                  },
+                  zigzag),
+              1, 1e-6);
   EXPECT_NEAR(area_of({{"mode", 6}}, none, k_corners), 1, 1e-6);
-  EXPECT_NEAR(area_of({{"mode", 6}}, [](GltfBuilder& b) { return b.indices({1, 2, 3, 0}); }, k_corners), 1, 1e-6);
+  EXPECT_NEAR(area_of(
+                  {{"mode", 6}},
+                  [](GltfBuilder& b) {
+                    return b.indices({1, 2, 3, 0});
+                  },
+                  k_corners),
+              1, 1e-6);
 }
 
 TEST(Gltf, PointsAndLinesAreLeftOut) {
@@ -157,7 +189,9 @@ TEST(Gltf, SparseAccessors) {
   const int base = b.positions(k_corners);
   const int index_view = b.view_of(std::vector<uint16_t>{1, 2});
   const int value_view = b.view_of(std::vector<vec3>{{5, 0, 0}, {5, 1, 0}});
-  const json sparse = {{"count", 2}, {"indices", {{"bufferView", index_view}, {"componentType", k_ushort}}}, {"values", {{"bufferView", value_view}}}};
+  const json sparse = {{"count", 2},
+                       {"indices", {{"bufferView", index_view}, {"componentType", k_ushort}}},
+                       {"values", {{"bufferView", value_view}}}};
   b.root["accessors"][static_cast<size_t>(base)]["sparse"] = sparse;
   const int from_zero = b.add("accessors", {{"componentType", k_float}, {"type", "VEC3"}, {"count", 4}, {"sparse", sparse}});
   b.node({{"mesh", b.mesh({{"POSITION", base}}, b.indices({0, 1, 2, 0, 2, 3}))}});
@@ -189,7 +223,8 @@ TEST(Gltf, OnlyUsedVerticesAreKept) {
 
 TEST(Gltf, MissingNormalsAndTangentsAreMade) {
   GltfBuilder b;
-  b.node({{"mesh", b.mesh({{"POSITION", b.positions(k_corners)}, {"TEXCOORD_0", b.uvs({{0, 1}, {1, 1}, {1, 0}, {0, 0}})}}, b.indices({0, 1, 2, 0, 2, 3}))}});
+  b.node({{"mesh", b.mesh({{"POSITION", b.positions(k_corners)}, {"TEXCOORD_0", b.uvs({{0, 1}, {1, 1}, {1, 0}, {0, 0}})}},
+                          b.indices({0, 1, 2, 0, 2, 3}))}});
   const MeshPart part = only_part(b.load());
   for (size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(part.normals[i], vec3(0, 0, 1));
@@ -197,7 +232,9 @@ TEST(Gltf, MissingNormalsAndTangentsAreMade) {
     EXPECT_EQ(part.colours[i], vec4(1.0f));
   }
   GltfBuilder zero;
-  zero.node({{"mesh", zero.mesh({{"POSITION", zero.positions(k_corners)}, {"NORMAL", zero.positions(std::vector<vec3>(4, vec3(0.0f)))}}, zero.indices({0, 1, 2, 0, 2, 3}))}});
+  zero.node({{"mesh",
+              zero.mesh({{"POSITION", zero.positions(k_corners)}, {"NORMAL", zero.positions(std::vector<vec3>(4, vec3(0.0f)))}},
+                        zero.indices({0, 1, 2, 0, 2, 3}))}});
   EXPECT_EQ(only_part(zero.load()).normals[0], vec3(0, 0, 1)) << "normals of length zero are mended";
 }
 
@@ -222,7 +259,8 @@ TEST(Gltf, TransformsMultiplyDownTheTree) {
 
 TEST(Gltf, MirroredNodesStillWindCounterClockwise) {
   GltfBuilder b;
-  const json attributes = {{"POSITION", b.positions(k_corners)}, {"NORMAL", b.positions(std::vector<vec3>(4, vec3(0, 0, 1)))},
+  const json attributes = {{"POSITION", b.positions(k_corners)},
+                           {"NORMAL", b.positions(std::vector<vec3>(4, vec3(0, 0, 1)))},
                            {"TEXCOORD_0", b.uvs({{0, 1}, {1, 1}, {1, 0}, {0, 0}})}};
   const int mesh = b.mesh(attributes, b.indices({0, 1, 2, 0, 2, 3}));
   b.node({{"mesh", mesh}});
@@ -237,7 +275,8 @@ TEST(Gltf, MirroredNodesStillWindCounterClockwise) {
     const glm::mat3 m(object.world_from_object);
     for (size_t t = 0; t < part.triangle_count(); ++t) {
       const uint32_t* i = &part.indices[3 * t];
-      const vec3 n = glm::cross(m * (part.positions[i[1]] - part.positions[i[0]]), m * (part.positions[i[2]] - part.positions[i[0]]));
+      const vec3 n =
+          glm::cross(m * (part.positions[i[1]] - part.positions[i[0]]), m * (part.positions[i[2]] - part.positions[i[0]]));
       EXPECT_GT(n.z, 0.0f);
       const vec3 top = glm::cross(m * part.normals[i[0]], m * vec3(part.tangents[i[0]])) * part.tangents[i[0]].w;
       EXPECT_GT(glm::dot(top, m * vec3(0, 1, 0)), 0.0f) << "the bitangent points to the top of the picture";
@@ -276,7 +315,10 @@ TEST(Gltf, GpuInstancing) {
   const json attributes = {{"TRANSLATION", b.positions({{0, 0, 0}, {10, 0, 0}, {0, 0, 5}})},
                            {"ROTATION", b.vec4s({{0, 0, 0, 1}, {0, 0, half, half}, {0, 0, 0, 1}})},
                            {"SCALE", b.positions({{1, 1, 1}, {2, 2, 2}, {-1, 1, 1}})}};
-  b.node({{"name", "tree"}, {"mesh", mesh}, {"translation", {0, 100, 0}}, {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}}}});
+  b.node({{"name", "tree"},
+          {"mesh", mesh},
+          {"translation", {0, 100, 0}},
+          {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}}}});
   b.root["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
   const Scene scene = b.load();
   ASSERT_EQ(scene.objects.size(), 3u);
@@ -288,7 +330,8 @@ TEST(Gltf, GpuInstancing) {
   GltfBuilder packed;
   packed.triangle();
   const std::vector<int8_t> rotations = {0, 0, 0, 127, 0, 0, 127, 0};
-  packed.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["ROTATION"] = packed.accessor(rotations, "VEC4", k_byte, 2, true);
+  packed.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["ROTATION"] =
+      packed.accessor(rotations, "VEC4", k_byte, 2, true);
   const Scene turned = packed.load();
   ASSERT_EQ(turned.objects.size(), 2u);
   EXPECT_LT(glm::distance(vec3(turned.objects[1].world_from_object * vec4(1, 0, 0, 1)), vec3(-1, 0, 0)), 1e-5f);
@@ -332,9 +375,10 @@ TEST(Gltf, Lights) {
 TEST(Gltf, Cameras) {
   GltfBuilder b;
   b.triangle();
-  b.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.2}, {"zfar", 50}, {"aspectRatio", 1.5}}}},
-                       {{"type", "orthographic"}, {"orthographic", {{"xmag", 3}, {"ymag", 2}, {"znear", 0}, {"zfar", 10}}}},
-                       {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.5}}}}};
+  b.root["cameras"] = {
+      {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.2}, {"zfar", 50}, {"aspectRatio", 1.5}}}},
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", 3}, {"ymag", 2}, {"znear", 0}, {"zfar", 10}}}},
+      {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.5}}}}};
   const float half = std::sqrt(0.5f);
   b.node({{"name", "eye"}, {"camera", 0}, {"translation", {1, 2, 3}}, {"rotation", {0, half, 0, half}}, {"scale", {2, 2, 2}}});
   b.node({{"camera", 1}});

@@ -36,8 +36,9 @@ using Attributes = std::array<float, 16>;
 using Triangle = std::array<Attributes, 3>;
 
 Attributes attributes(const MeshPart& p, uint32_t i) {
-  return {p.positions[i].x, p.positions[i].y, p.positions[i].z, p.normals[i].x,  p.normals[i].y, p.normals[i].z, p.tangents[i].x, p.tangents[i].y,
-          p.tangents[i].z,  p.tangents[i].w,  p.uvs[i].x,       p.uvs[i].y,      p.colours[i].x, p.colours[i].y, p.colours[i].z,  p.colours[i].w};
+  return {p.positions[i].x, p.positions[i].y, p.positions[i].z, p.normals[i].x,  p.normals[i].y, p.normals[i].z,
+          p.tangents[i].x,  p.tangents[i].y,  p.tangents[i].z,  p.tangents[i].w, p.uvs[i].x,     p.uvs[i].y,
+          p.colours[i].x,   p.colours[i].y,   p.colours[i].z,   p.colours[i].w};
 }
 
 // What a renderer sees: triangles with their attributes, whatever their order and whichever corner comes first.
@@ -106,7 +107,8 @@ TEST(MakeNormals, AFanOfManyHardFacesTakesNoQuadraticTime) {
   constexpr uint32_t k_faces = 200000;
   for (uint32_t i = 0; i < k_faces; ++i) {
     const float a = static_cast<float>(i) * 2.4f;
-    part.positions.emplace_back(std::cos(a), std::sin(a), i % 2), part.positions.emplace_back(std::cos(a + 1), i % 3, std::sin(a));
+    part.positions.emplace_back(std::cos(a), std::sin(a), i % 2),
+        part.positions.emplace_back(std::cos(a + 1), i % 3, std::sin(a));
     part.indices.insert(part.indices.end(), {0, 2 * i + 1, 2 * i + 2});
   }
   make_normals(part, 0.01f);
@@ -185,11 +187,21 @@ TEST(Optimise, MergesVerticesAndChangesNoPicture) {
 
 TEST(Optimise, DropsTrianglesWithoutAreaAndOnlyThose) {
   MeshPart part;
-  part.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},                                  // good
-                    {1, 2, 3}, {2, 4, 6}, {3, 6, 9},                                  // on a line
-                    {14678, 0, 9605}, {14678.001f, 0, 9605}, {14678, 0, 9605.001f},  // small and far
-                    {0.1f, 0.1f, 0.1f}, {0.2f, 0.2f, 0.2f}, {0.4f, 0.4f, 0.4f},      // on the diagonal: exactly flat
-                    {0, 0, 0}, {1e-20f, 0, 0}, {0, 1e-20f, 0}};                      // tiny, but with area
+  part.positions = {{0, 0, 0},
+                    {1, 0, 0},
+                    {0, 1, 0},  // good
+                    {1, 2, 3},
+                    {2, 4, 6},
+                    {3, 6, 9},  // on a line
+                    {14678, 0, 9605},
+                    {14678.001f, 0, 9605},
+                    {14678, 0, 9605.001f},  // small and far
+                    {0.1f, 0.1f, 0.1f},
+                    {0.2f, 0.2f, 0.2f},
+                    {0.4f, 0.4f, 0.4f},  // on the diagonal: exactly flat
+                    {0, 0, 0},
+                    {1e-20f, 0, 0},
+                    {0, 1e-20f, 0}};  // tiny, but with area
   part.indices = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 0, 0, 1, 2, 1, 1};
   fill(part);
   optimise(part);

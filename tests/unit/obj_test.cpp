@@ -14,7 +14,9 @@
 namespace gnomon {
 namespace {
 
-Scene load(const std::string& text, const std::filesystem::path& folder = {}) { return load_obj_from_memory(text, "test.obj", folder); }
+Scene load(const std::string& text, const std::filesystem::path& folder = {}) {
+  return load_obj_from_memory(text, "test.obj", folder);
+}
 
 constexpr const char* k_quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n";
 
@@ -81,14 +83,16 @@ TEST(Obj, VertexColours) {
     const vec4 expected = part.positions[i].x > 0 ? vec4(0, 1, 0, 1) : part.positions[i].y > 0 ? vec4(1) : vec4(1, 0.5f, 0, 1);
     EXPECT_EQ(part.colours[i], expected);
   }
-  EXPECT_EQ(only_part(load("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n")).colours[0], vec4(1.0f)) << "a fourth number is a weight";
+  EXPECT_EQ(only_part(load("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n")).colours[0], vec4(1.0f))
+      << "a fourth number is a weight";
 }
 
 TEST(Obj, ConcavePolygonsCoverTheirAreaOnce) {
   // An L, an arrow and a comb, each in several planes and windings.
-  const std::vector<std::vector<vec2>> shapes = {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},
-                                                 {{0, 0}, {2, 1}, {0, 2}, {0.5f, 1}},
-                                                 {{0, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {5, 1}, {5, 3}, {4, 3}, {4, 1}, {3, 1}, {3, 3}, {0, 3}}};
+  const std::vector<std::vector<vec2>> shapes = {
+      {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},
+      {{0, 0}, {2, 1}, {0, 2}, {0.5f, 1}},
+      {{0, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {5, 1}, {5, 3}, {4, 3}, {4, 1}, {3, 1}, {3, 3}, {0, 3}}};
   const std::vector<double> areas = {3, 1.5, 17};
   for (size_t s = 0; s < shapes.size(); ++s) {
     for (int plane = 0; plane < 3; ++plane) {
@@ -141,7 +145,8 @@ TEST(Obj, GroupsBecomeObjectsAndMaterialsParts) {
 }
 
 TEST(Obj, MissingNormalsAreMadeBesideGivenOnes) {
-  const Scene scene = load(std::string(k_quad) + "v 0 0 -1\nv 1 0 -1\nvn 0 0 0\nf 1//1 2//1 3//1 4//1\nf 1 5 6 2\nf 1//2 2//2 3//2\n");
+  const Scene scene =
+      load(std::string(k_quad) + "v 0 0 -1\nv 1 0 -1\nvn 0 0 0\nf 1//1 2//1 3//1 4//1\nf 1 5 6 2\nf 1//2 2//2 3//2\n");
   EXPECT_EQ(scene.meshes[0].parts.size(), 2u);
   for (const MeshPart& part : scene.meshes[0].parts) {
     for (const vec3& n : part.normals) EXPECT_NEAR(glm::length(n), 1.0f, 1e-6f);
@@ -239,7 +244,9 @@ class ObjMaterials : public ::testing::Test {
     write_file(folder_.path() / "lib.mtl", mtl);
     return load("mtllib lib.mtl\n" + std::string(k_quad) + "usemtl " + name + "\nf 1/1 2/2 3/3\n", folder_.path());
   }
-  const Image8& base_picture(const Scene& scene) { return scene.textures.at(static_cast<size_t>(scene.materials.at(0).base_colour_texture)).image; }
+  const Image8& base_picture(const Scene& scene) {
+    return scene.textures.at(static_cast<size_t>(scene.materials.at(0).base_colour_texture)).image;
+  }
 
   test_files::Folder folder_;
 };
@@ -265,7 +272,9 @@ TEST_F(ObjMaterials, NamesWithBlanks) {
   EXPECT_TRUE(scene.textures[0].srgb);
   write_file(folder_.path() / "a library.mtl", std::string("newmtl m\nKd 0 1 0\n"));
   for (const std::string line : {"mtllib a library.mtl\n", "mtllib absent.mtl a\\ library.mtl\n"}) {
-    EXPECT_EQ(load(line + std::string(k_quad) + "usemtl m\nf 1 2 3\n", folder_.path()).materials[0].base_colour, vec4(0, 1, 0, 1)) << line;
+    EXPECT_EQ(load(line + std::string(k_quad) + "usemtl m\nf 1 2 3\n", folder_.path()).materials[0].base_colour,
+              vec4(0, 1, 0, 1))
+        << line;
   }
 }
 
@@ -278,7 +287,9 @@ TEST_F(ObjMaterials, WindowsPathsAreFoundBesideTheModel) {
 }
 
 TEST_F(ObjMaterials, AlphaOfTheColourPictureMasks) {
-  picture("leaf.png", 4, 4, [](int x, int) { return std::array<uint8_t, 4>{0, 255, 0, static_cast<uint8_t>(x < 2 ? 0 : 255)}; });
+  picture("leaf.png", 4, 4, [](int x, int) {
+    return std::array<uint8_t, 4>{0, 255, 0, static_cast<uint8_t>(x < 2 ? 0 : 255)};
+  });
   for (const std::string mtl : {"newmtl m\nmap_Kd leaf.png\n", "newmtl m\nmap_Kd leaf.png\nmap_d leaf.png\nd 0\n"}) {
     const Scene scene = load_with(mtl);
     EXPECT_TRUE(scene.materials[0].masked);
@@ -291,7 +302,9 @@ TEST_F(ObjMaterials, AlphaOfTheColourPictureMasks) {
 
 TEST_F(ObjMaterials, AMaskOfAnotherSizeIsResampled) {
   picture("colour.png", 8, 4, [](int, int) { return std::array<uint8_t, 4>{200, 100, 50, 255}; });
-  picture("mask.png", 2, 2, [](int x, int) { return x == 0 ? std::array<uint8_t, 4>{0, 0, 0, 255} : std::array<uint8_t, 4>{255, 255, 255, 255}; });
+  picture("mask.png", 2, 2, [](int x, int) {
+    return x == 0 ? std::array<uint8_t, 4>{0, 0, 0, 255} : std::array<uint8_t, 4>{255, 255, 255, 255};
+  });
   const Scene scene = load_with("newmtl m\nmap_Kd colour.png\nmap_d mask.png\n");
   ASSERT_EQ(scene.textures.size(), 1u);
   const Image8& image = base_picture(scene);
@@ -306,7 +319,9 @@ TEST_F(ObjMaterials, AMaskOfAnotherSizeIsResampled) {
 }
 
 TEST_F(ObjMaterials, AMaskWithoutColourPicture) {
-  picture("mask.png", 2, 1, [](int x, int) { return x == 0 ? std::array<uint8_t, 4>{0, 0, 0, 255} : std::array<uint8_t, 4>{255, 255, 255, 255}; });
+  picture("mask.png", 2, 1, [](int x, int) {
+    return x == 0 ? std::array<uint8_t, 4>{0, 0, 0, 255} : std::array<uint8_t, 4>{255, 255, 255, 255};
+  });
   const Scene scene = load_with("newmtl m\nKd 0.5 0.5 0.5\nmap_d mask.png\n");
   EXPECT_TRUE(scene.materials[0].masked);
   EXPECT_EQ(base_picture(scene).at(0, 0)[0], 255);
@@ -323,8 +338,14 @@ TEST_F(ObjMaterials, BlackBesideAPictureMeansThePicture) {
 TEST_F(ObjMaterials, NormalMapsAndHeightMaps) {
   picture("normal.png", 2, 2, [](int, int) { return std::array<uint8_t, 4>{128, 128, 255, 255}; });
   // A ridge: height rises to the right, then wraps.
-  picture("height.png", 8, 8, [](int x, int) { const auto h = static_cast<uint8_t>(x * 10); return std::array<uint8_t, 4>{h, h, h, 255}; });
-  picture("slope.png", 8, 8, [](int, int y) { const auto h = static_cast<uint8_t>(y * 10); return std::array<uint8_t, 4>{h, h, h, 255}; });
+  picture("height.png", 8, 8, [](int x, int) {
+    const auto h = static_cast<uint8_t>(x * 10);
+    return std::array<uint8_t, 4>{h, h, h, 255};
+  });
+  picture("slope.png", 8, 8, [](int, int y) {
+    const auto h = static_cast<uint8_t>(y * 10);
+    return std::array<uint8_t, 4>{h, h, h, 255};
+  });
   const auto normal_texture = [&](const std::string& statement) {
     const Scene scene = load_with("newmtl m\n" + statement + "\n");
     const Texture& texture = scene.textures.at(static_cast<size_t>(scene.materials[0].normal_texture));

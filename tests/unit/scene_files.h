@@ -20,7 +20,8 @@ class Folder {
  public:
   Folder() {
     static std::atomic<int> count = 0;
-    path_ = std::filesystem::temp_directory_path() / ("gnomon_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
+    path_ =
+        std::filesystem::temp_directory_path() / ("gnomon_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
     std::filesystem::create_directories(path_);
   }
   ~Folder() {
@@ -31,7 +32,8 @@ class Folder {
   Folder& operator=(const Folder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  void picture(const std::string& name, int width, int height, const std::function<std::array<uint8_t, 4>(int, int)>& colour) const {
+  void picture(const std::string& name, int width, int height,
+               const std::function<std::array<uint8_t, 4>(int, int)>& colour) const {
     Image8 image(width, height);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) std::ranges::copy(colour(x, y), image.at(x, y));
@@ -46,7 +48,8 @@ class Folder {
 inline double area(const MeshPart& part) {
   double sum = 0.0;
   for (size_t i = 0; i < part.indices.size(); i += 3) {
-    const glm::dvec3 a(part.positions[part.indices[i]]), b(part.positions[part.indices[i + 1]]), c(part.positions[part.indices[i + 2]]);
+    const glm::dvec3 a(part.positions[part.indices[i]]), b(part.positions[part.indices[i + 1]]),
+        c(part.positions[part.indices[i + 2]]);
     sum += 0.5 * glm::length(glm::cross(b - a, c - a));
   }
   return sum;

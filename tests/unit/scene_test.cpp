@@ -126,7 +126,8 @@ TEST(Scene, FramingCameraShowsEveryCorner) {
   for (const float size : {1e-3f, 1.0f, 5e4f}) {
     for (const float aspect : {0.5f, 1.0f, 2.4f}) {
       Scene scene = small_scene();
-      for (Object& object : scene.objects) object.world_from_object = glm::scale(mat4(1.0f), vec3(size)) * object.world_from_object;
+      for (Object& object : scene.objects)
+        object.world_from_object = glm::scale(mat4(1.0f), vec3(size)) * object.world_from_object;
       const Camera camera = framing_camera(scene, aspect);
       const mat4 view_from_world = glm::inverse(camera.world_from_view);
       const Box box = scene.bounds();
@@ -135,7 +136,8 @@ TEST(Scene, FramingCameraShowsEveryCorner) {
         const vec3 p = vec3(view_from_world * vec4(box.corner(i), 1.0f));
         EXPECT_GT(-p.z, camera.near);
         EXPECT_LT(-p.z, camera.far);
-        const float y = std::abs(p.y / p.z) / std::tan(camera.vertical_fov / 2), x = std::abs(p.x / p.z) / std::tan(camera.vertical_fov / 2) / aspect;
+        const float y = std::abs(p.y / p.z) / std::tan(camera.vertical_fov / 2),
+                    x = std::abs(p.x / p.z) / std::tan(camera.vertical_fov / 2) / aspect;
         widest = std::max({widest, x, y});
       }
       EXPECT_LE(widest, 1.0f);

@@ -25,7 +25,8 @@ class SharedScenes : public ::testing::Test {
 };
 
 size_t masked_count(const Scene& scene) {
-  return static_cast<size_t>(std::count_if(scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.masked; }));
+  return static_cast<size_t>(
+      std::count_if(scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.masked; }));
 }
 
 TEST_F(SharedScenes, EveryMalformedFileDoesAsTheIndexSays) {
@@ -77,7 +78,8 @@ TEST_F(SharedScenes, Sponza) {
 }
 
 TEST_F(SharedScenes, BothForestsAreTheSameScene) {
-  const Scene instanced = load("st_helens/st_helens_forest_instanced.gltf"), nodes = load("st_helens/st_helens_forest_nodes.gltf");
+  const Scene instanced = load("st_helens/st_helens_forest_instanced.gltf"),
+              nodes = load("st_helens/st_helens_forest_nodes.gltf");
   ASSERT_EQ(instanced.objects.size(), 616u);
   ASSERT_EQ(nodes.objects.size(), instanced.objects.size());
   EXPECT_EQ(nodes.triangle_count(), instanced.triangle_count());
@@ -90,7 +92,8 @@ TEST_F(SharedScenes, BothForestsAreTheSameScene) {
 }
 
 TEST_F(SharedScenes, CompressionChangesNoTriangle) {
-  const Scene packed = load("compressed/japanese-bridge-garden/scene.glb"), plain = load("compressed/japanese-bridge-garden/scene_plain.glb");
+  const Scene packed = load("compressed/japanese-bridge-garden/scene.glb"),
+              plain = load("compressed/japanese-bridge-garden/scene_plain.glb");
   EXPECT_EQ(packed.triangle_count(), plain.triangle_count());
   EXPECT_EQ(packed.content_hash(), plain.content_hash());
   for (const std::string file : {"BoxDraco.gltf", "BoxMeshopt.glb", "BoxMeshopt.gltf"}) {
@@ -108,7 +111,8 @@ TEST_F(SharedScenes, InstancesAndTextureTransforms) {
   EXPECT_EQ(load("compressed/24_gpu_instancing/24_gpu_instancing.gltf").objects.size(), 1900u);
   const Scene transforms = load("compressed/textureTransform/TextureTransformTest.gltf");
   const auto material = [&](const std::string& name) {
-    return *std::find_if(transforms.materials.begin(), transforms.materials.end(), [&](const Material& m) { return m.name == name; });
+    return *std::find_if(transforms.materials.begin(), transforms.materials.end(),
+                         [&](const Material& m) { return m.name == name; });
   };
   EXPECT_EQ(material("Offset U").base_colour_uv.apply({0, 0}), vec2(0.5f, 0));
   EXPECT_NE(material("Rotation").base_colour_uv.row_u.y, 0.0f);
