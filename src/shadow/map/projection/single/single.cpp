@@ -38,7 +38,7 @@ class Single : public Projection {
   void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
   uint32_t map_size() const override { return static_cast<uint32_t>(params_.size); }
   uint32_t layers() const override { return 1; }
-  bool depth_clamp() const override { return params_.depth_clamp != 0; }
+  bool depth_clamp() const override { return false; }  // the view begins before the first caster
 
   std::vector<ShadowView> views(const Frame& frame, const Light& light) const override {
     const LightFrame light_frame(light.direction);
