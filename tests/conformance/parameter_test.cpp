@@ -1,0 +1,197 @@
+// Every parameter of every technique: its ends are safe, it does something, and `live` ones do it without a rebuild.
+#include <cmath>
+
+#include "stage.h"
+
+namespace gnomon {
+namespace {
+
+using test::TechniqueRun;
+using test::View;
+
+constexpr double k_gib = 1024.0 * 1024.0 * 1024.0;
+constexpr uvec2 k_size = {64, 48};
+
+struct Parameter {
+  std::string id, name;
+  ParamInfo info;
+};
+
+void PrintTo(const Parameter& parameter, std::ostream* stream) { *stream << parameter.id << "." << parameter.name; }
+
+std::vector<Parameter> all_parameters() {
+  std::map<std::string, Parameter> unique;
+  for (const auto& spec : all_techniques()) {
+    for (const auto& [id, table] : spec.tables) {
+      for (const ParamInfo& info : table) unique.try_emplace(fmt::format("{}.{}", id, info.name), Parameter{id, std::string(info.name), info});
+    }
+  }
+  std::vector<Parameter> list;
+  for (auto& [key, parameter] : unique) list.push_back(parameter);
+  return list;
+}
+
+std::vector<const TechniqueSpec*> techniques_with(const std::string& id) {
+  std::vector<const TechniqueSpec*> list;
+  for (const auto& spec : all_techniques()) {
+    for (const auto& [table_id, table] : spec.tables) {
+      if (table_id == id) list.push_back(&spec);
+    }
+  }
+  return list;
+}
+
+// A table that many pairs share is tried with the first and the last of them.
+std::vector<const TechniqueSpec*> two_techniques_with(const std::string& id) {
+  const auto all = techniques_with(id);
+  if (all.size() < 2) return all;
+  return {all.front(), all.back()};
+}
+
+View& busy_view(const TechniqueSpec& spec) {
+  const LightKind kind = test::preferred_light(spec);
+  return test::kept_view(fmt::format("busy {}", light_kind_name(kind)), [=] {
+    Scene scene = test::busy(kind);
+    if (kind == LightKind::directional) scene.lights[0].angular_diameter = 0.05f;
+    else scene.lights[0].radius = 0.2f;
+    return scene;
+  }, k_size);
+}
+
+SettingsMap with(SettingsMap settings, const std::string& id, std::string_view name, double value) {
+  settings.find(id)->second.set_number(name, value, fmt::format("{}.{}", id, name));
+  return settings;
+}
+
+// Values worth trying, none of them the default.
+std::vector<double> values_of(const ParamInfo& info) {
+  std::vector<double> values;
+  if (info.type == ParamType::bool_ || info.type == ParamType::choice) {
+    for (double v = info.min; v <= info.max; ++v) values.push_back(v);
+  } else {
+    values = {info.min, 0.5 * (info.min + info.default_value), 2.0 * info.default_value, info.max};
+    if (info.type == ParamType::int_) {
+      for (double& v : values) v = std::floor(v);
+    }
+  }
+  std::erase_if(values, [&](double v) { return v == info.default_value || v < info.min || v > info.max; });
+  return values;
+}
+
+void expect_sound(const std::vector<float>& mask, const std::string& what) {
+  size_t unsound = 0;
+  for (const float v : mask) unsound += !(v >= 0.0f && v <= 1.0f);
+  EXPECT_EQ(unsound, 0u) << what << ": samples that are NaN or outside [0, 1], of " << mask.size();
+}
+
+// What a parameter can change: the answer, the work, the memory.
+std::string work_of(const TechniqueRun& run) {
+  std::string text = fmt::format("{} bytes;", run.bytes);
+  for (const PassResult& pass : run.frame.passes) text += fmt::format(" {} {} {} {};", pass.name, pass.draws, pass.dispatches, pass.triangles);
+  return text;
+}
+bool differ(const TechniqueRun& a, const TechniqueRun& b) { return a.mask != b.mask || work_of(a) != work_of(b); }
+
+class EveryParameter : public testing::TestWithParam<Parameter> {};
+
+// The largest value of a parameter that decides about memory is reached by doubling, and left out where it would need more
+// than a GiB.
+void try_large_values(const TechniqueSpec& spec, const Parameter& parameter) {
+  double value = std::max(parameter.info.default_value, 1.0), bytes = 0.0, growth = 1.0;
+  while (true) {
+    const auto run = test::run_technique(busy_view(spec), spec, with(spec.default_settings(), parameter.id, parameter.name, value));
+    expect_sound(run.mask, fmt::format("{}, {}.{}={}", spec.name, parameter.id, parameter.name, value));
+    if (bytes > 0.0) growth = static_cast<double>(run.bytes) / bytes;
+    bytes = static_cast<double>(run.bytes);
+    if (value == parameter.info.max) return;
+    const double next = std::min(2.0 * value, parameter.info.max);
+    const double predicted = bytes * std::max(growth, value == parameter.info.default_value ? 4.0 : 1.0);
+    if (predicted > 1.01 * k_gib) {
+      fmt::print("{}: {}.{}={} and more is left out: it would need some {:.1f} GiB\n", spec.name, parameter.id, parameter.name, next, predicted / k_gib);
+      return;
+    }
+    value = next;
+  }
+}
+
+TEST_P(EveryParameter, IsSoundAtBothEnds) {
+  const Parameter& parameter = GetParam();
+  for (const TechniqueSpec* spec : two_techniques_with(parameter.id)) {
+    const bool grows = parameter.info.update == ParamUpdate::rebuild && parameter.info.type == gnomon::ParamType::int_;
+    const auto run_at = [&](double value) {
+      const auto run = test::run_technique(busy_view(*spec), *spec, with(spec->default_settings(), parameter.id, parameter.name, value));
+      expect_sound(run.mask, fmt::format("{}, {}.{}={}", spec->name, parameter.id, parameter.name, value));
+    };
+    run_at(parameter.info.min);
+    if (grows) {
+      try_large_values(*spec, parameter);
+    } else {
+      run_at(parameter.info.max);
+    }
+  }
+}
+
+// True when some value changes something, with the other settings as given.
+bool changes_something(const TechniqueSpec& spec, const Parameter& parameter, const SettingsMap& others) {
+  View& view = busy_view(spec);
+  const TechniqueRun before = test::run_technique(view, spec, others);
+  for (const double value : values_of(parameter.info)) {
+    if (parameter.info.update == ParamUpdate::rebuild && value > 2.0 * std::max(parameter.info.default_value, 1.0)) continue;
+    if (differ(before, test::run_technique(view, spec, with(others, parameter.id, parameter.name, value)))) return true;
+  }
+  return false;
+}
+
+// A parameter may depend on another one (a limit, a choice of mode): each other is tried at its own values too.
+bool is_alive(const TechniqueSpec& spec, const Parameter& parameter) {
+  const SettingsMap defaults = spec.default_settings();
+  if (changes_something(spec, parameter, defaults)) return true;
+  for (const auto& [id, table] : spec.tables) {
+    for (const ParamInfo& other : table) {
+      if (id == parameter.id && other.name == parameter.name) continue;
+      for (const double value : values_of(other)) {
+        if (other.update == ParamUpdate::rebuild && value > other.default_value && other.type == ParamType::int_) continue;
+        if (!changes_something(spec, parameter, with(defaults, id, other.name, value))) continue;
+        fmt::print("{}: {}.{} acts only with {}.{}={}\n", spec.name, parameter.id, parameter.name, id, other.name, value);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+TEST_P(EveryParameter, IsAlive) {
+  const Parameter& parameter = GetParam();
+  for (const TechniqueSpec* spec : techniques_with(parameter.id)) {
+    if (is_alive(*spec, parameter)) return;
+  }
+  ADD_FAILURE() << parameter.id << "." << parameter.name << " changes neither mask nor work nor memory of any technique";
+}
+
+TEST_P(EveryParameter, TakesEffectAsItsTableSays) {
+  const Parameter& parameter = GetParam();
+  for (const TechniqueSpec* spec : two_techniques_with(parameter.id)) {
+    View& view = busy_view(*spec);
+    const auto defaults = spec->default_settings();
+    for (const double value : values_of(parameter.info)) {
+      if (parameter.info.update == ParamUpdate::rebuild) continue;
+      const auto changed = with(defaults, parameter.id, parameter.name, value);
+      const auto fresh = test::run_technique(view, *spec, changed);
+      const auto technique = spec->make(view.context(), defaults);
+      technique->set(changed);
+      test::run_passes([&](Recorder& recorder) {
+        view.frame().record_surface(recorder);
+        technique->record(recorder, view.frame(), 0);
+      });
+      EXPECT_EQ(view.frame().read_mask(0), fresh.mask)
+          << spec->name << ": " << parameter.id << "." << parameter.name << "=" << value << " is called live, but a new technique gives another mask";
+    }
+  }
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(EveryParameter);
+INSTANTIATE_TEST_SUITE_P(All, EveryParameter, testing::ValuesIn(all_parameters()),
+                         [](const auto& instance) { return test::test_name(instance.param.id + "_" + instance.param.name); });
+
+}  // namespace
+}  // namespace gnomon

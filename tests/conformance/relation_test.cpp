@@ -1,0 +1,117 @@
+// What theory says about techniques relative to each other and about the direction in which a parameter moves the error.
+#include <cmath>
+
+#include "measure/visibility_error.h"
+#include "stage.h"
+
+namespace gnomon {
+namespace {
+
+using test::View;
+
+View& courtyard(uvec2 size) {
+  return test::kept_view("courtyard", [] { return load_scene("courtyard"); }, size);
+}
+
+VisibilityError error_of(View& view, const std::string& technique, std::initializer_list<std::string_view> assignments) {
+  const auto& spec = find_technique(technique);
+  const auto run = test::run_technique(view, spec, test::settings_of(spec, assignments));
+  const ReferenceResult& truth = test::hard_reference(view);
+  return visibility_error(run.mask, truth.visibility, truth.receiver);
+}
+
+double amount(const OneSidedError& error) { return error.area * error.severity; }
+
+TEST(Relation, PcfOfOneTexelIsHard) {
+  size_t pairs = 0;
+  for (const auto& spec : all_techniques()) {
+    if (!spec.name.ends_with("/pcf")) continue;
+    const std::string projection = spec.name.substr(0, spec.name.find('/'));
+    const auto& hard = find_technique(projection + "/hard");
+    const LightKind kind = test::preferred_light(spec);
+    View& view = test::kept_view(fmt::format("busy {}", light_kind_name(kind)), [=] { return test::busy(kind); }, {160, 120});
+    ++pairs;
+    for (const std::string_view bias : {"bias.constant=0.2", "bias.receiver_plane=false", "bias.slope=1", "bias.normal_offset=3"}) {
+      const auto a = test::run_technique(view, spec, test::settings_of(spec, {"pcf.size=1", "pcf.bilinear=false", bias})).mask;
+      const auto b = test::run_technique(view, hard, test::settings_of(hard, {bias})).mask;
+      size_t different = 0;
+      for (size_t i = 0; i < a.size(); ++i) different += a[i] != b[i];
+      EXPECT_EQ(different, 0u) << projection << " with " << bias;
+    }
+  }
+  EXPECT_GT(pairs, 0u);
+}
+
+TEST(Relation, LargerMapsAreNearerToTheTruth) {
+  View& view = courtyard({320, 180});
+  double last = 1.0;
+  for (const char* size : {"512", "1024", "2048", "4096", "8192"}) {
+    const auto error = error_of(view, "single/hard", {fmt::format("single.size={}", size)});
+    fmt::print("single/hard, courtyard, size {:>5}: mae {:.5f}, false shadow {:.5f}, false light {:.5f}\n", size, error.mae,
+               amount(error.false_shadow), amount(error.false_light));
+    EXPECT_LT(error.mae, last) << size;
+    last = error.mae;
+  }
+  EXPECT_LT(last, 0.01);
+}
+
+constexpr std::string_view k_size = "single.size=1024", k_no_constant = "bias.constant=0", k_no_plane = "bias.receiver_plane=false";
+
+TEST(Relation, EveryBiasTakesAcneAway) {
+  View& view = courtyard({160, 120});
+  const auto report = [](std::string_view name, const VisibilityError& error) {
+    fmt::print("{:28}: false shadow {:.5f}, false light {:.5f}\n", name, amount(error.false_shadow), amount(error.false_light));
+  };
+  const auto none = error_of(view, "single/hard", {k_size, k_no_constant, k_no_plane});
+  report("no bias", none);
+  EXPECT_GT(amount(none.false_shadow), 0.1) << "without any bias about half of what is lit is in its own shadow";
+  for (const std::string_view bias : {"bias.constant=1", "bias.slope=1", "bias.normal_offset=1", "bias.front_face_culling=true"}) {
+    // The last assignment of a key counts.
+    const auto with = error_of(view, "single/hard", {k_size, k_no_constant, k_no_plane, bias});
+    report(bias, with);
+    EXPECT_LT(amount(with.false_shadow), 0.2 * amount(none.false_shadow)) << bias;
+  }
+  // The receiver's plane puts a lit receiver exactly at the stored depth, where rounding decides: it needs a trace of constant
+  // bias beside it.
+  constexpr std::string_view k_trace = "bias.constant=0.05";
+  const auto without_plane = error_of(view, "single/hard", {k_size, k_no_plane, k_trace});
+  const auto with_plane = error_of(view, "single/hard", {k_size, "bias.receiver_plane=true", k_trace});
+  report("bias.constant=0.05", without_plane);
+  report("the same and receiver_plane", with_plane);
+  EXPECT_LT(amount(with_plane.false_shadow), 0.2 * amount(without_plane.false_shadow));
+}
+
+TEST(Relation, MoreConstantBiasDetachesShadows) {
+  View& view = courtyard({160, 120});
+  double last = 0.0;
+  for (const double constant : {0.2, 2.0, 8.0, 32.0}) {
+    const auto error = error_of(view, "single/hard", {k_size, fmt::format("bias.constant={}", constant)});
+    fmt::print("bias.constant={:4}: false light {:.5f}, false shadow {:.5f}\n", constant, amount(error.false_light), amount(error.false_shadow));
+    EXPECT_GT(amount(error.false_light), last) << constant;
+    last = amount(error.false_light);
+  }
+}
+
+TEST(Relation, WithoutTheAlphaTestBarsBecomeASheet) {
+  const Scene truth = load_scene("chart/fence");
+  Scene opaque = truth;
+  for (Material& material : opaque.materials) material.masked = false;
+  const auto false_shadow = [&](const Scene& drawn) {
+    View view(drawn, {128, 96});
+    const auto& spec = find_technique("single/hard");
+    const auto mask = test::run_technique(view, spec, spec.default_settings()).mask;
+    auto points = view.frame().read_points();
+    for (SurfacePoint& point : points) {
+      if (point.object != 0) point.object = k_no_object;  // the floor alone: the fence itself looks different
+    }
+    const auto reference = EmbreeReference(truth).trace(points, view.frame().camera().eye_ws, truth.lights[0], false, 1, 1);
+    return amount(visibility_error(mask, reference.visibility, reference.receiver).false_shadow);
+  };
+  const double right = false_shadow(truth), wrong = false_shadow(opaque);
+  fmt::print("chart/fence: false shadow {:.5f} with the alpha test, {:.5f} without\n", right, wrong);
+  EXPECT_LT(right, 0.01);
+  EXPECT_GT(wrong, right + 0.05);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,183 @@
+// What every registered technique must do. The list is read from the registry: a new folder is tested without an edit here.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "measure/visibility_error.h"
+#include "stage.h"
+
+namespace gnomon {
+namespace {
+
+using test::View;
+
+constexpr uvec2 k_size = {96, 72};
+
+class EveryTechnique : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    kind_ = test::preferred_light(spec());
+    // A device that lacks what a technique needs is no defect of the technique: that is what exit code 3 is for.
+    if (!test::device().info().ray_tracing) {
+      try {
+        test::run_technique(view("box", test::box_on_floor), spec(), spec().default_settings());
+      } catch (const Error& error) {
+        if (error.code() != ExitCode::device) throw;
+        GTEST_SKIP() << error.what();
+      }
+    }
+  }
+
+  const TechniqueSpec& spec() const { return find_technique(GetParam()); }
+  View& view(const std::string& name, Scene (*make)(LightKind), uint32_t samples = 1) const {
+    const LightKind kind = kind_;
+    return test::kept_view(fmt::format("{} {}", name, light_kind_name(kind)), [=] { return make(kind); }, k_size, samples);
+  }
+  std::vector<float> mask(View& on, TimingMode mode = TimingMode::play) const {
+    return test::run_technique(on, spec(), spec().default_settings(), mode).mask;
+  }
+
+  LightKind kind_ = LightKind::directional;
+};
+
+TEST_P(EveryTechnique, SaysWhatItIs) {
+  EXPECT_FALSE(spec().manual.empty());
+  EXPECT_FALSE(spec().summary.empty());
+  EXPECT_FALSE(spec().light_kinds.empty());
+  EXPECT_TRUE(spec().refused.empty());
+  for (const auto& [id, table] : spec().tables) {
+    EXPECT_FALSE(id.empty());
+    for (const ParamInfo& param : table) {
+      EXPECT_FALSE(param.help.empty()) << id << "." << param.name;
+      EXPECT_LE(param.min, param.default_value) << id << "." << param.name;
+      EXPECT_GE(param.max, param.default_value) << id << "." << param.name;
+    }
+  }
+}
+
+TEST_P(EveryTechnique, LitSceneIsOne) {
+  View& scene = view("open floor", test::open_floor);
+  const auto found = mask(scene);
+  const auto receiver = test::receivers(scene);
+  ASSERT_GT(test::count(receiver), receiver.size() * 9 / 10);
+  size_t darkened = 0;
+  float darkest = 1.0f;
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (!receiver[i]) continue;
+    darkest = std::min(darkest, found[i]);
+    darkened += found[i] < 1.0f - 1e-3f;
+  }
+  EXPECT_EQ(darkened, 0u) << "of " << test::count(receiver) << " lit samples; the darkest is " << darkest;
+}
+
+// Metres to the nearest line along which two walls of the room meet.
+float to_contact(const vec3& p) {
+  std::array<float, 3> to_wall = {2.0f - std::abs(p.x), std::min(p.y, 3.0f - p.y), 2.0f - std::abs(p.z)};
+  std::sort(to_wall.begin(), to_wall.end());
+  return std::hypot(std::max(to_wall[0], 0.0f), std::max(to_wall[1], 0.0f));
+}
+
+// `reach`: how far from where caster and receiver touch light may be found. Walls without thickness touch what they shadow, and
+// a kernel on the outline of the room reaches beyond it: theory allows a few texels (of 3 mm) there.
+void expect_dark(View& scene, const std::vector<float>& found, float reach) {
+  const auto receiver = test::receivers(scene);
+  const auto points = scene.frame().read_points();
+  ASSERT_GT(test::count(receiver), receiver.size() / 4);
+  size_t light = 0;
+  double sum = 0.0;
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (!receiver[i]) continue;
+    light += found[i] > 0.0f && to_contact(points[i].position_ws) >= reach;
+    sum += double(found[i]);
+  }
+  const auto n = static_cast<double>(test::count(receiver));
+  EXPECT_EQ(light, 0u) << "samples with light in a closed room, of " << n;
+  EXPECT_LT(sum / n, 0.005);
+}
+
+TEST_P(EveryTechnique, ClosedRoomIsDark) {
+  View& thick = view("thick room", [](LightKind kind) { return test::closed_room(kind, false); });
+  expect_dark(thick, mask(thick), 0.0f);
+  View& thin = view("thin room", [](LightKind kind) { return test::closed_room(kind, true); });
+  expect_dark(thin, mask(thin), 0.1f);
+}
+
+TEST_P(EveryTechnique, SameInputsGiveTheSameBits) {
+  View& scene = view("busy", test::busy);
+  const auto first = mask(scene);
+  EXPECT_EQ(mask(scene), first);
+  EXPECT_EQ(mask(scene, TimingMode::measure), first) << "barriers change the result";
+  const auto technique = spec().make(scene.context(), spec().default_settings());
+  for (int frame = 0; frame < 2; ++frame) {
+    test::run_passes([&](Recorder& recorder) {
+      scene.frame().record_surface(recorder);
+      technique->record(recorder, scene.frame(), 0);
+    }, TimingMode::play, frame == 1);
+    EXPECT_EQ(scene.frame().read_mask(0), first) << "frame " << frame << " of one technique";
+  }
+}
+
+TEST_P(EveryTechnique, IsNearerToTheTruthThanNoShadowsAtAll) {
+  for (const uint32_t samples : {1u, 4u}) {
+    const auto& counts = test::device().info().sample_counts;
+    if (std::find(counts.begin(), counts.end(), static_cast<int>(samples)) == counts.end()) continue;
+    View& scene = view("box", test::box_on_floor, samples);
+    const auto found = mask(scene);
+    const ReferenceResult& truth = test::hard_reference(scene);
+    const std::vector<float> lit(found.size(), 1.0f);
+    // Throws for NaN and for values outside [0, 1].
+    const double error = visibility_error(found, truth.visibility, truth.receiver).mae;
+    const double of_nothing = visibility_error(lit, truth.visibility, truth.receiver).mae;
+    EXPECT_LT(error, 0.5 * of_nothing) << samples << " samples";
+    EXPECT_LT(error, 0.05) << samples << " samples";
+  }
+}
+
+TEST_P(EveryTechnique, SupportsTheLightsThatItClaims) {
+  for (const LightKind kind : spec().light_kinds) {
+    View& scene = test::kept_view(fmt::format("box {}", light_kind_name(kind)), [=] { return test::box_on_floor(kind); }, k_size);
+    const auto found = mask(scene);
+    const ReferenceResult& truth = test::hard_reference(scene);
+    EXPECT_LT(visibility_error(found, truth.visibility, truth.receiver).mae, 0.05) << light_kind_name(kind);
+  }
+}
+
+TEST_P(EveryTechnique, FillsEverySampleOfSeveralLights) {
+  Scene two = test::box_on_floor(kind_);
+  two.lights.push_back(test::make_light(kind_, {-0.6f, -1, -0.4f}, {0, 0, 0}, 7.0f));
+  View scene(std::move(two), {48, 36});
+  std::vector<std::vector<float>> together, alone;
+  const auto settings = spec().default_settings();
+  std::vector<std::unique_ptr<Technique>> techniques;
+  for (size_t light = 0; light < 2; ++light) {
+    scene.frame().write_mask(light, std::vector<float>(scene.frame().sample_count(), -1.0f));
+    techniques.push_back(spec().make(scene.context(), settings));
+  }
+  test::run_passes([&](Recorder& recorder) {
+    scene.frame().record_surface(recorder);
+    for (size_t light = 0; light < 2; ++light) techniques[light]->record(recorder, scene.frame(), light);
+  });
+  for (size_t light = 0; light < 2; ++light) {
+    together.push_back(scene.frame().read_mask(light));
+    for (const float v : together.back()) ASSERT_TRUE(v >= 0.0f && v <= 1.0f) << "light " << light;
+  }
+  EXPECT_NE(together[0], together[1]);
+  for (size_t light = 0; light < 2; ++light) {
+    test::run_passes([&](Recorder& recorder) {
+      scene.frame().record_surface(recorder);
+      techniques[light]->record(recorder, scene.frame(), light);
+    });
+    EXPECT_EQ(scene.frame().read_mask(light), together[light]) << "light " << light << " depends on the other";
+  }
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> list;
+  for (const auto& spec : all_techniques()) list.push_back(spec.name);
+  return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryTechnique, testing::ValuesIn(names()), [](const auto& instance) { return test::test_name(instance.param); });
+
+}  // namespace
+}  // namespace gnomon
