@@ -49,6 +49,12 @@ inline Box transformed(const mat4& to_from, const Box& box) {
   return result;
 }
 
+// False for transforms that flatten: neither normals nor ray directions survive those, so tracers bake them into vertices.
+inline bool invertible(const mat4& transform) {
+  const mat3 m(transform);
+  return glm::abs(glm::determinant(m)) > 1.0e-6f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+}
+
 // Any two unit vectors that make a right-handed basis with the unit vector n (Duff et al. 2017, JCGT 6(1)).
 inline void orthonormal_basis(const vec3& n, vec3& tangent, vec3& bitangent) {
   const float sign = n.z >= 0.0f ? 1.0f : -1.0f;

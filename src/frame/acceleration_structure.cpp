@@ -18,12 +18,20 @@ AccelerationStructure::AccelerationStructure(Device& device, const GpuScene& sce
   if (!device.info().ray_tracing) fail_device("'{}' has no ray-tracing pipeline", device.info().name);
   const auto start = std::chrono::steady_clock::now();
   std::map<uint32_t, uint64_t> address_of_part;  // by first index: instances share their part's structure
+  const auto set_transform = [](VkTransformMatrixKHR& transform, const vec4& x, const vec4& y, const vec4& z) {
+    std::memcpy(transform.matrix[0], &x, 16);
+    std::memcpy(transform.matrix[1], &y, 16);
+    std::memcpy(transform.matrix[2], &z, 16);
+  };
   std::vector<VkAccelerationStructureInstanceKHR> instances;
   for (uint32_t i = 0; i < scene.item_count(); ++i) {
     const DrawItem& item = scene.item_list()[i];
     if (!(item.flags & k_item_casts)) continue;
-    const auto [part, inserted] = address_of_part.try_emplace(item.first_index, 0);
-    if (inserted) {
+    const mat4& placement = scene.scene().objects[item.object].world_from_object;
+    const bool shared = invertible(placement);
+    uint64_t baked = 0;
+    uint64_t& address = shared ? address_of_part.try_emplace(item.first_index, 0).first->second : baked;
+    if (address == 0) {
       VkAccelerationStructureGeometryKHR geometry = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR};
       geometry.geometryType = VK_GEOMETRY_TYPE_TRIANGLES_KHR;
       const bool masked = scene.scene().materials[item.material].masked;
@@ -36,17 +44,28 @@ AccelerationStructure::AccelerationStructure(Device& device, const GpuScene& sce
       triangles.maxVertex = static_cast<uint32_t>(scene.vertex_count()) - item.first_vertex - 1;
       triangles.indexType = VK_INDEX_TYPE_UINT32;
       triangles.indexData.deviceAddress = scene.indices().address() + item.first_index * sizeof(uint32_t);
+      // An instance cannot have a transform that flattens: a structure of its own has it in its vertices.
+      Buffer transform;
+      if (!shared) {
+        transform = Buffer(device, "baked transform", sizeof(VkTransformMatrixKHR), BufferMemory::upload,
+                           VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR);
+        set_transform(transform.mapped_as<VkTransformMatrixKHR>()[0], item.world_from_object_x, item.world_from_object_y, item.world_from_object_z);
+        transform.flush();
+        triangles.transformData.deviceAddress = transform.address();
+      }
       bottom_.push_back(build(geometry, item.index_count / 3, VK_ACCELERATION_STRUCTURE_TYPE_BOTTOM_LEVEL_KHR, "part"));
-      part->second = bottom_.back().address;
+      address = bottom_.back().address;
     }
     VkAccelerationStructureInstanceKHR instance = {};
-    std::memcpy(instance.transform.matrix[0], &item.world_from_object_x, 16);
-    std::memcpy(instance.transform.matrix[1], &item.world_from_object_y, 16);
-    std::memcpy(instance.transform.matrix[2], &item.world_from_object_z, 16);
+    if (shared) {
+      set_transform(instance.transform, item.world_from_object_x, item.world_from_object_y, item.world_from_object_z);
+    } else {
+      set_transform(instance.transform, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0});
+    }
     instance.instanceCustomIndex = i & 0xffffffu;
     instance.mask = 0xff;
     instance.flags = VK_GEOMETRY_INSTANCE_TRIANGLE_FACING_CULL_DISABLE_BIT_KHR;
-    instance.accelerationStructureReference = part->second;
+    instance.accelerationStructureReference = address;
     instances.push_back(instance);
     triangle_count_ += item.index_count / 3;
   }

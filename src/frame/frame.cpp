@@ -216,6 +216,17 @@ Buffer Frame::make_points() const {
   return points;
 }
 
+std::vector<uint32_t> Frame::read_leaders() const {
+  const auto share = read_back_as<uint32_t>(device_, share_, size_t{size_.x} * size_.y);
+  std::vector<uint32_t> leaders(sample_count());
+  for (size_t pixel = 0; pixel < share.size(); ++pixel) {
+    for (uint32_t s = 0; s < samples_; ++s) {
+      leaders[pixel * samples_ + s] = static_cast<uint32_t>(pixel) * samples_ + ((share[pixel] >> (4 * s)) & 15u);
+    }
+  }
+  return leaders;
+}
+
 std::vector<SurfacePoint> Frame::read_points() const {
   const Buffer points = make_points();
   return read_back_as<SurfacePoint>(device_, points, sample_count());

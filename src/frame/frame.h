@@ -55,6 +55,8 @@ class Frame {
   ImageF read_linear() const;  // RGBA, scene linear
   std::vector<float> read_mask(size_t light) const;
   void write_mask(size_t light, std::span<const float> visibility) const;  // to shade with the reference
+  // Per sample: the index of the sample whose answer it shares (its own where it leads its surface).
+  std::vector<uint32_t> read_leaders() const;
   std::vector<SurfacePoint> read_points() const;
   // The same points for the GPU's reference.
   Buffer make_points() const;

@@ -18,7 +18,9 @@ void main() {
   vec3 position_ws = to_world(item, frame.v.scene.positions.v[gl_VertexIndex]);
   uv = attributes.uv;
   normal_ws = normal_to_world(item, unpack_normal(attributes.normal));
-  float handedness = (attributes.tangent & 1u) != 0u ? -1.0 : 1.0;
+  // Mirroring turns the cross product of normal and tangent round.
+  bool left_handed = ((attributes.tangent & 1u) != 0u) != ((item.flags & k_item_mirrored) != 0u);
+  float handedness = left_handed ? -1.0 : 1.0;
   tangent_ws = vec4(direction_to_world(item, unpack_normal(attributes.tangent)), handedness);
   colour = unpackUnorm4x8(attributes.colour);
   item_index = gl_InstanceIndex;

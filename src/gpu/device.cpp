@@ -121,8 +121,8 @@ void Device::create_device() {
 
 Device::~Device() {
   vkDeviceWaitIdle(device_);
+  for (auto& destroy : held_) destroy();
   for (auto& [value, destroy] : deferred_) destroy();
-  deferred_.clear();
   vkDestroySemaphore(device_, timeline_, nullptr);
   bindless_.reset();
   vmaDestroyAllocator(allocator_);
@@ -131,7 +131,7 @@ Device::~Device() {
 
 void Device::check_device(VkResult result, const char* call) {
   if (result == VK_ERROR_DEVICE_LOST) {
-    throw Error(fmt::format("{}: the GPU was lost (hung, reset or removed); the last pass was '{}'", call, last_pass_), ExitCode::device);
+    throw Error(fmt::format("{}: the GPU was lost (hung, reset or removed); the last recorded pass was '{}'", call, last_pass_), ExitCode::failure);
   }
   vk_check(result, call);
 }
@@ -166,7 +166,20 @@ void Device::wait_idle() {
   collect();
 }
 
-void Device::defer(std::function<void()> destroy) { deferred_.emplace_back(submitted_, std::move(destroy)); }
+void Device::defer(std::function<void()> destroy) {
+  if (recordings_ > 0) {
+    held_.push_back(std::move(destroy));
+  } else {
+    deferred_.emplace_back(submitted_, std::move(destroy));
+  }
+}
+
+void Device::end_recording() {
+  GNOMON_ASSERT(recordings_ > 0);
+  if (--recordings_ > 0) return;
+  for (auto& destroy : held_) deferred_.emplace_back(submitted_, std::move(destroy));
+  held_.clear();
+}
 
 void Device::collect() {
   uint64_t finished = 0;

@@ -74,9 +74,14 @@ class Device {
   // Begins and ends the one-queue timeline: submit returns the value that `wait` waits for.
   uint64_t submit(VkCommandBuffer commands);
   void wait(uint64_t value);
+
   void wait_idle();
 
-  // Runs `destroy` once the GPU has finished everything submitted so far.
+  // Between the two a command buffer is being recorded, which may use what is destroyed meanwhile. They nest.
+  void begin_recording() { ++recordings_; }
+  void end_recording();
+
+  // Runs `destroy` once the GPU has finished everything submitted so far, and what is being recorded now.
   void defer(std::function<void()> destroy);
 
   // Throws Error with what validation has said since the last call. No-op without validation.
@@ -110,6 +115,8 @@ class Device {
   VkSemaphore timeline_ = VK_NULL_HANDLE;
   uint64_t submitted_ = 0;
   std::deque<std::pair<uint64_t, std::function<void()>>> deferred_;
+  std::vector<std::function<void()>> held_;  // until the open recordings are submitted
+  int recordings_ = 0;
   std::string last_pass_ = "none";
   uint64_t allocated_bytes_ = 0;
   PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;

@@ -39,6 +39,19 @@ void full_barrier(VkCommandBuffer commands) {
   vkCmdPipelineBarrier2(commands, &dependency);
 }
 
+// What the CPU reads after waiting (readback buffers) must be made visible to it: waiting alone does not.
+void host_barrier(VkCommandBuffer commands) {
+  VkMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+  barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+  VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &barrier;
+  vkCmdPipelineBarrier2(commands, &dependency);
+}
+
 }  // namespace
 
 std::string_view stage_name(PassStage stage) {
@@ -70,6 +83,7 @@ Recorder::Recorder(Device& device, TimingMode mode, bool isolate) : device_(devi
 }
 
 Recorder::~Recorder() {
+  if (recording_) device_.end_recording();  // an exception left the frame unfinished
   vkDeviceWaitIdle(device_.handle());
   vkDestroyQueryPool(device_.handle(), timestamps_, nullptr);
   vkDestroyQueryPool(device_.handle(), statistics_, nullptr);
@@ -87,6 +101,8 @@ void Recorder::begin_commands() {
   VkCommandBufferBeginInfo begin = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   vk_check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
+  if (!recording_) device_.begin_recording();
+  recording_ = true;
 }
 
 void Recorder::begin() {
@@ -106,6 +122,8 @@ void Recorder::begin() {
 uint64_t Recorder::end_and_submit() {
   vk_check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
   const uint64_t value = device_.submit(commands_);
+  recording_ = false;
+  device_.end_recording();
   record_ms_ += now_ms() - record_start_;
   return value;
 }
@@ -189,6 +207,7 @@ void Recorder::copy_draw_counts(const Commands& commands) {
 }
 
 FrameResult Recorder::finish() {
+  host_barrier(commands_);
   const double start = now_ms();
   const uint64_t value = end_and_submit();
   device_.wait(value);
@@ -247,7 +266,7 @@ void run_once(Device& device, const std::function<void(VkCommandBuffer)>& record
   vk_check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
   full_barrier(commands);
   record(commands);
-  full_barrier(commands);
+  host_barrier(commands);
   vk_check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
   device.wait(device.submit(commands));
   device.check_validation();

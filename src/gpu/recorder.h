@@ -121,6 +121,7 @@ class Recorder {
   Device& device_;
   TimingMode mode_;
   bool isolate_;
+  bool recording_ = false;
   VkCommandPool pool_ = VK_NULL_HANDLE;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   VkQueryPool timestamps_ = VK_NULL_HANDLE, statistics_ = VK_NULL_HANDLE;

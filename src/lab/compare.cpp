@@ -2,6 +2,7 @@
 #include "lab/compare.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -40,9 +41,12 @@ class LightComparison {
     session_.draw_surface();
     references_ = make_references(session_);
     common_ = describe_session(session_);
-    common_["reference"] = describe_reference(references_, truth(), 0);
+    common_["reference"] = describe_reference(references_, truth());
+    find_scored_samples();
     if (options_.pictures) write_reference_pictures();
   }
+
+  bool sees_receivers() const { return receivers_ > 0; }
 
   nlohmann::json run(const TechniqueSpec& spec) {
     nlohmann::json line = common_;
@@ -51,7 +55,7 @@ class LightComparison {
     line["settings"] = session_.settings().to_json(session_.settings().for_technique(spec));
     line["status"] = "ok";
     line["reason"] = "";
-    std::string reason = session_.unavailable(spec);
+    std::string reason = sees_receivers() ? session_.unavailable(spec) : "the light reaches nothing that the camera sees";
     if (reason.empty()) {
       try {
         measure(spec, line);
@@ -69,6 +73,26 @@ class LightComparison {
  private:
   const LightReference& truth() const { return references_.lights.front(); }
 
+  // Samples that share another's answer (several on one surface in a pixel) say nothing about a technique: the score is of
+  // those that were evaluated. What sharing itself costs is one figure of the view, with the reference as the technique.
+  void find_scored_samples() {
+    const ReferenceResult& hard = truth().hard;
+    scored_ = hard.receiver;
+    const auto leaders = session_.frame().read_leaders();
+    double difference = 0.0;
+    for (size_t i = 0; i < scored_.size(); ++i) {
+      if (!hard.receiver[i]) continue;
+      ++receivers_;
+      difference += std::abs(static_cast<double>(hard.visibility[leaders[i]]) - static_cast<double>(hard.visibility[i]));
+      if (leaders[i] != i) scored_[i] = 0;
+    }
+    if (session_.frame().samples() > 1 && receivers_ > 0) {
+      common_["sharing"] = {{"mae", difference / static_cast<double>(receivers_)},
+                            {"scored", std::count(scored_.begin(), scored_.end(), 1)},
+                            {"receivers", receivers_}};
+    }
+  }
+
   void measure(const TechniqueSpec& spec, nlohmann::json& line) {
     TechniqueContext& context = session_.context();
     const uint64_t before = session_.device().allocated_bytes() - context.shared_bytes();
@@ -85,8 +109,8 @@ class LightComparison {
     line["gpu_ms"] = {{"build", build}, {"resolve", resolve}, {"total", build + resolve}};
 
     const std::vector<float> mask = session_.frame().read_mask(0);
-    line["visibility"]["hard"] = visibility_error(mask, truth().hard.visibility, truth().hard.receiver).to_json();
-    if (truth().area) line["visibility"]["area"] = visibility_error(mask, truth().area->visibility, truth().area->receiver).to_json();
+    line["visibility"]["hard"] = visibility_error(mask, truth().hard.visibility, scored_).to_json();
+    if (truth().area) line["visibility"]["area"] = visibility_error(mask, truth().area->visibility, scored_).to_json();
     line["artefacts"] = nlohmann::json::object();
     if (options_.pictures) write_pictures(spec, mask, line);
   }
@@ -132,9 +156,21 @@ class LightComparison {
   const CompareOptions& options_;
   std::string light_argument_, stem_;
   ReferenceSet references_;
+  std::vector<uint8_t> scored_;  // per sample: a receiver that was evaluated for itself
+  size_t receivers_ = 0;
   nlohmann::json common_, reference_pictures_;
   Image8 reference_shaded_;
 };
+
+// What --light must say to choose this light alone: its name, or its number where the name would not do.
+std::string light_argument(const Session& session, size_t index) {
+  const auto& chosen = session.chosen_lights();
+  if (chosen.size() == 1) return session.options().lights.empty() ? "" : session.options().lights.front();
+  const auto& all = session.scene().lights;
+  const auto named = [&](const Light& light) { return light.name == chosen[index].name; };
+  if (std::count_if(all.begin(), all.end(), named) == 1 && std::count_if(chosen.begin(), chosen.end(), named) == 1) return chosen[index].name;
+  return std::to_string(session.light_number(index));
+}
 
 void write_lines(const std::filesystem::path& folder, const std::vector<nlohmann::json>& lines) {
   std::string text;
@@ -166,8 +202,11 @@ std::vector<nlohmann::json> compare(Device& device, const CompareOptions& option
   const std::vector<Light> lights = session.chosen_lights();
   for (size_t i = 0; i < lights.size(); ++i) {
     session.use_light(i);
-    const std::string argument = lights.size() > 1 ? lights[i].name : options.view.lights.empty() ? "" : options.view.lights.front();
-    LightComparison comparison(session, options, argument);
+    LightComparison comparison(session, options, light_argument(session, i));
+    if (lights.size() == 1 && !comparison.sees_receivers()) {
+      fail("{}: nothing that the camera sees faces the light '{}': there is no shadow to compare; valid: another --camera or --light",
+           session.scene().name, lights[i].name);
+    }
     for (const TechniqueSpec* spec : specs) {
       log_info("{}{}: {}", session.scene().name, lights.size() > 1 ? ", light " + lights[i].name : "", spec->name);
       lines.push_back(comparison.run(*spec));

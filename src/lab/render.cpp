@@ -24,7 +24,11 @@ void render(Device& device, const RenderOptions& options, const Settings& settin
   settings.check_used({&spec});
   const std::string extension = options.output.extension().string();
   if (extension != ".png" && extension != ".exr") fail_usage("-o {}: valid: a path that ends in .png or .exr", options.output.string());
+  if (options.picture == Picture::error && extension == ".exr") fail_usage("--show error: valid: a path that ends in .png");
   Session session(device, options.view, settings);
+  if (options.picture != Picture::shaded && session.chosen_lights().size() > 1) {
+    fail_usage("--show mask, error and reference show one light; {} are chosen with --light", session.chosen_lights().size());
+  }
   if (const std::string reason = session.unavailable(spec); !reason.empty()) fail_device("{}: {}", spec.name, reason);
   const auto techniques = session.make_techniques(spec);
   Recorder recorder(device, TimingMode::play, false);
@@ -43,7 +47,6 @@ void render(Device& device, const RenderOptions& options, const Settings& settin
   const std::vector<float> mask = options.picture == Picture::reference ? truth.visibility : frame.read_mask(0);
   const int samples = static_cast<int>(frame.samples());
   if (exr) {
-    if (options.picture == Picture::error) fail_usage("--show error: valid: a path that ends in .png");
     write_exr(options.output, visibility_image(mask, frame.size(), frame.samples()));
   } else if (options.picture == Picture::error) {
     write_png(options.output, signed_error_map(mask, truth.visibility, truth.receiver, samples, frame.read_display()));

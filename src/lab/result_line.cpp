@@ -62,7 +62,7 @@ nlohmann::json describe_session(Session& session) {
   return line;
 }
 
-nlohmann::json describe_reference(const ReferenceSet& set, const LightReference& reference, size_t) {
+nlohmann::json describe_reference(const ReferenceSet& set, const LightReference& reference) {
   nlohmann::json json;
   json["hard"] = {{"kind", set.kind}, {"samples", 1}, {"confidence", reference.hard.confidence}};
   if (reference.area) json["area"] = {{"kind", set.kind}, {"samples", set.samples}, {"confidence", reference.area->confidence}};

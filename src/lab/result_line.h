@@ -9,7 +9,7 @@ namespace gnomon {
 
 // Everything but the technique's own results: gnomon, scene, camera, lights, size, samples, device.
 nlohmann::json describe_session(Session& session);
-nlohmann::json describe_reference(const ReferenceSet& set, const LightReference& reference, size_t light);
+nlohmann::json describe_reference(const ReferenceSet& set, const LightReference& reference);
 // The command that repeats a row.
 std::string repeat_command(const Session& session, const std::string& technique, const std::string& light);
 

@@ -9,13 +9,25 @@ namespace gnomon {
 
 Session::Session(Device& device, const ViewOptions& options, Settings settings)
     : device_(device), options_(options), settings_(std::move(settings)), scene_(load_scene(options.scene, settings_.scene_options())) {
+  settings_.complete_scene_options(options_.scene);
   camera_ = choose_camera(scene_, options_, settings_);
   lights_ = choose_lights(scene_, options_, settings_);
   gpu_scene_ = std::make_unique<GpuScene>(device_, scene_);
+  record_light(lights_.front(), settings_);
   make_frame(lights_);
 }
 
+size_t Session::light_number(size_t index) const {
+  const Light& light = lights_[index];
+  for (size_t i = 0; i < scene_.lights.size(); ++i) {
+    const Light& other = scene_.lights[i];
+    if (other.name == light.name && other.kind == light.kind && other.position == light.position) return i;
+  }
+  return index;
+}
+
 void Session::use_light(size_t index) {
+  record_light(lights_[index], settings_);
   if (lights_.size() > 1) make_frame(std::span(&lights_[index], 1));
 }
 

@@ -21,9 +21,12 @@ struct ViewOptions {
   std::vector<std::string> lights;  // empty: the first directional light, else the sun of the light settings; "sun", "all", names, numbers
 };
 
-// Camera and lights after the scene and the settings were asked. Writes what is in force into `settings`.
+// Camera and lights after the scene and the settings were asked. choose_camera writes what is in force into
+// `settings`.
 Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& settings);
-std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, Settings& settings);
+std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, const Settings& settings);
+// Writes what is in force of a light into `settings`.
+void record_light(const Light& light, Settings& settings);
 
 class Session {
  public:
@@ -41,6 +44,8 @@ class Session {
 
   // The lights that the options name; a new session's frame has all of them, use_light leaves one.
   const std::vector<Light>& chosen_lights() const { return lights_; }
+  // The place of a chosen light in the scene's list; its place among the chosen ones where the scene does not have it.
+  size_t light_number(size_t index) const;
   void use_light(size_t index);
 
   // Empty when `spec` can run here: on this device, under these lights. Else the reason.

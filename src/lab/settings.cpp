@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "lab/lab_params.h"
+#include "scene/load.h"
 
 namespace gnomon {
 namespace {
@@ -106,6 +107,13 @@ std::vector<std::string> Settings::assignments_for(const TechniqueSpec& spec) co
     if (of_technique || id == "scene" || blocks_.contains(id)) result.push_back(text);
   }
   return result;
+}
+
+void Settings::complete_scene_options(const std::string& scene) {
+  for (const BuiltinScene& builtin : builtin_scenes()) {
+    if (builtin.name != scene) continue;
+    for (const BuiltinOption& option : builtin.options) scene_options_.try_emplace(option.name, option.default_value);
+  }
 }
 
 void Settings::check_used(const std::vector<const TechniqueSpec*>& techniques) const {

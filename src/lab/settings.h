@@ -31,6 +31,8 @@ class Settings {
   SettingsMap for_technique(const TechniqueSpec& spec) const;
   // Options of a built-in scene.
   const std::map<std::string, double>& scene_options() const { return scene_options_; }
+  // Adds the defaults of a built-in scene's options, for the record.
+  void complete_scene_options(const std::string& scene);
   // Throws Error (usage) when an assignment belongs to no technique of the list: a setting that does nothing is a mistake.
   void check_used(const std::vector<const TechniqueSpec*>& techniques) const;
 

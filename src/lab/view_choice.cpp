@@ -63,7 +63,9 @@ float radians(double degree) { return static_cast<float>(degree) * k_pi / 180.0f
 
 vec3 sun_direction(const light_params::Params& params) {
   const float azimuth = radians(params.azimuth), elevation = radians(params.elevation);
-  const vec3 to_sun(std::cos(elevation) * std::sin(azimuth), std::sin(elevation), -std::cos(elevation) * std::cos(azimuth));
+  // cos(90 degrees) is not quite zero in floats: an overhead sun stands exactly overhead.
+  const float across = std::abs(std::cos(elevation)) < 1e-6f ? 0.0f : std::cos(elevation);
+  const vec3 to_sun(across * std::sin(azimuth), std::sin(elevation), -across * std::cos(azimuth));
   return -glm::normalize(to_sun);
 }
 
@@ -83,16 +85,6 @@ void override_light(Light& light, const Settings& settings) {
   if (settings.was_set("light.intensity")) light.intensity = params.intensity;
 }
 
-void record_light(const Light& light, Settings& settings) {
-  if (light.kind == LightKind::directional) {
-    const vec3 to_sun = -light.direction;
-    settings.set_effective("light", "azimuth", degrees(std::atan2(to_sun.x, -to_sun.z)));
-    settings.set_effective("light", "elevation", degrees(std::asin(glm::clamp(to_sun.y, -1.0f, 1.0f))));
-    settings.set_effective("light", "angular_diameter", degrees(light.angular_diameter));
-  }
-  settings.set_effective("light", "intensity", light.intensity);
-}
-
 Light default_sun(const Settings& settings) {
   const auto params = settings.block("light").as<light_params::Params>();
   Light sun;
@@ -104,6 +96,16 @@ Light default_sun(const Settings& settings) {
 }
 
 }  // namespace
+
+void record_light(const Light& light, Settings& settings) {
+  if (light.kind == LightKind::directional) {
+    const vec3 to_sun = -light.direction;
+    settings.set_effective("light", "azimuth", degrees(std::atan2(to_sun.x, -to_sun.z)));
+    settings.set_effective("light", "elevation", degrees(std::asin(glm::clamp(to_sun.y, -1.0f, 1.0f))));
+    settings.set_effective("light", "angular_diameter", degrees(light.angular_diameter));
+  }
+  settings.set_effective("light", "intensity", light.intensity);
+}
 
 Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& settings) {
   const float aspect = static_cast<float>(options.size.x) / static_cast<float>(options.size.y);
@@ -120,6 +122,7 @@ Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& s
     fail_usage("--camera {}: valid: 'frame', 'x,y,z:x,y,z' (eye and target in metres), or a camera of the scene: {}", options.camera,
                names_of(scene.cameras));
   }
+  if (settings.was_set("camera.vertical_fov") && camera.orthographic) fail_usage("--set camera.vertical_fov=...: the camera is orthographic");
   if (settings.was_set("camera.vertical_fov")) camera.vertical_fov = radians(settings.block("camera").number("vertical_fov"));
   if (settings.was_set("camera.near")) camera.near = static_cast<float>(settings.block("camera").number("near"));
   settings.set_effective("camera", "vertical_fov", degrees(camera.vertical_fov));
@@ -127,7 +130,7 @@ Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& s
   return camera;
 }
 
-std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, Settings& settings) {
+std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, const Settings& settings) {
   std::vector<Light> lights;
   if (options.lights.empty()) {
     const auto sun = std::find_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
@@ -144,8 +147,11 @@ std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options,
       fail_usage("--light {}: valid: 'sun' (placed by the light settings), 'all', or a light of the scene: {}", text, names_of(scene.lights));
     }
   }
+  for (const char* key : {"light.azimuth", "light.elevation", "light.angular_diameter"}) {
+    const bool any_sun = std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
+    if (settings.was_set(key) && !any_sun) fail_usage("--set {}=...: no chosen light is directional", key);
+  }
   for (Light& light : lights) override_light(light, settings);
-  record_light(lights.front(), settings);
   return lights;
 }
 

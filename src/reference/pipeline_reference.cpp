@@ -1,11 +1,11 @@
 // Dispatches of the reference's rays in pieces, so that no submission runs long enough to be taken for a hang.
 #include "reference/pipeline_reference.h"
 
-#include <cmath>
 #include <cstring>
 
 #include "base/log.h"
 #include "gpu/recorder.h"
+#include "reference/cpu/confidence.h"
 #include "scene/light_shape.h"
 
 namespace gnomon {
@@ -52,18 +52,15 @@ ReferenceResult PipelineReference::trace(const Frame& frame, const Light& light,
   ReferenceResult result;
   result.visibility = read_back_as<float>(device_, answers, count);
   result.receiver.resize(count);
-  double variance = 0.0;
-  size_t receivers = 0;
+  std::vector<float> variance(count, 0.0f);
   for (size_t i = 0; i < count; ++i) {
     float& v = result.visibility[i];
     result.receiver[i] = v >= 0.0f;
     v = std::max(v, 0.0f);
-    if (!result.receiver[i]) continue;
-    ++receivers;
-    if (rays > 1) variance += static_cast<double>(v) * (1.0 - static_cast<double>(v)) / static_cast<double>(rays - 1);
+    // Points that see part of the emitter below their horizon count fewer rays than this.
+    if (result.receiver[i] && light_on_gpu.emitter_radius > 0.0f) variance[i] = visibility_variance(v, samples);
   }
-  // As EmbreeReference: an upper bound, because the sequence is more even than independent samples.
-  if (receivers > 0) result.confidence = 1.96 * std::sqrt(variance) / static_cast<double>(receivers);
+  result.confidence = mean_confidence(read_back_as<SurfacePoint>(device_, points, count), variance, result.receiver);
   return result;
 }
 

@@ -14,16 +14,6 @@ namespace {
 // Against instance counts that multiply up: some hundred megabytes of objects.
 constexpr size_t k_max_objects = 1u << 20;
 
-Mesh mirrored(Mesh mesh) {
-  for (MeshPart& part : mesh.parts) {
-    for (size_t i = 0; i < part.indices.size(); i += 3) std::swap(part.indices[i + 1], part.indices[i + 2]);
-    for (vec4& tangent : part.tangents) tangent.w = -tangent.w;  // the mirrored cross product flips the bitangent
-  }
-  return mesh;
-}
-
-bool mirrors(const mat4& m) { return glm::determinant(glm::dmat3(glm::dmat4(m))) < 0.0; }
-
 glm::quat rotation_of(const vec4& xyzw) { return glm::normalize(glm::quat(xyzw.w, xyzw.x, xyzw.y, xyzw.z)); }
 
 mat4 compose(const vec3& translation, const glm::quat& rotation, const vec3& scale) {
@@ -64,11 +54,7 @@ class Nodes {
 
   void add() {
     for (const int root : scene_roots()) visit(root);
-    for (const auto& [key, index] : mesh_index_) {
-      const auto& [mesh, is_mirrored] = key;
-      Mesh& source = meshes_[static_cast<size_t>(mesh)];
-      scene_.meshes[static_cast<size_t>(index)] = is_mirrored ? mirrored(source) : source;
-    }
+    for (const auto& [mesh, index] : mesh_index_) scene_.meshes[static_cast<size_t>(index)] = std::move(meshes_[static_cast<size_t>(mesh)]);
     if (document_.root().has("skins"))
       log_warning("{}: skins are not supported; skinned meshes keep their bind pose", document_.name());
     settle_far_planes();
@@ -205,17 +191,21 @@ class Nodes {
     if (instances.size() > k_max_objects - scene_.objects.size())
       json.fail_here("more than {} objects in the scene", k_max_objects);
     const std::string name = json.text("name", json.place());
+    // glTF has no word for it; "extras" is where applications put theirs.
+    const auto extras = json.object("extras");
+    const bool casts = !extras || extras->flag("casts_shadow", true);
     for (size_t i = 0; i < instances.size(); ++i) {
       Object object;
       object.name = instancing ? fmt::format("{}[{}]", name, i) : name;
       object.world_from_object = world_from_node * instances[i];
-      object.mesh = place_mesh(mesh, mirrors(object.world_from_object));
+      object.mesh = place_mesh(mesh);
+      object.casts = casts;
       scene_.objects.push_back(std::move(object));
     }
   }
 
-  int place_mesh(int mesh, bool is_mirrored) {
-    const auto [entry, is_new] = mesh_index_.try_emplace({mesh, is_mirrored}, static_cast<int>(scene_.meshes.size()));
+  int place_mesh(int mesh) {
+    const auto [entry, is_new] = mesh_index_.try_emplace(mesh, static_cast<int>(scene_.meshes.size()));
     if (is_new) scene_.meshes.emplace_back();
     return entry->second;
   }
@@ -267,7 +257,7 @@ class Nodes {
   std::vector<Node> hierarchy_;
   std::vector<Camera> cameras_;
   std::vector<Light> lights_;
-  std::map<std::pair<int, bool>, int> mesh_index_;
+  std::map<int, int> mesh_index_;  // of the file -> of the scene: only placed meshes are kept
 };
 
 }  // namespace

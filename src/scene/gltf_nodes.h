@@ -8,8 +8,7 @@
 
 namespace gnomon {
 
-// Adds objects, the meshes that they need, lights and cameras to the scene. Meshes of mirroring nodes are added a second
-// time with their triangles turned round, so that every placed triangle winds counter-clockwise.
+// Adds objects, the meshes that they need, lights and cameras to the scene. Instances share their mesh.
 void add_gltf_nodes(const GltfDocument& document, const GltfAccessors& accessors, std::vector<Mesh> meshes, Scene& scene);
 
 }  // namespace gnomon

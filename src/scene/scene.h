@@ -1,6 +1,6 @@
 // A scene as the CPU holds it: what loaders and built-in generators produce, and what upload, the CPU reference and the content
-// hash read. World space: metres, right-handed, +Y up. Placed triangles wind counter-clockwise seen from the front; for a
-// transform that mirrors, loaders make a second mesh with its triangles turned round.
+// hash read. World space: metres, right-handed, +Y up. Triangles wind counter-clockwise seen from the front in object space;
+// an object whose transform mirrors keeps its front (drawing and rays see to that, frame/gpu_scene.h).
 #pragma once
 
 #include <cstdint>

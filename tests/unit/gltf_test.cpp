@@ -308,6 +308,17 @@ TEST(Gltf, DeepChainsAreNoProblem) {
   EXPECT_EQ(b.load().bounds().min.z, static_cast<float>(k_depth));
 }
 
+TEST(Gltf, ExtrasSayWhetherANodeCasts) {
+  GltfBuilder b;
+  const int mesh = b.mesh({{"POSITION", b.positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})}});
+  b.node({{"mesh", mesh}});
+  b.node({{"mesh", mesh}, {"extras", {{"casts_shadow", false}}}});
+  const Scene scene = b.load();
+  ASSERT_EQ(scene.objects.size(), 2u);
+  EXPECT_TRUE(scene.objects[0].casts);
+  EXPECT_FALSE(scene.objects[1].casts);
+}
+
 TEST(Gltf, GpuInstancing) {
   GltfBuilder b;
   const int mesh = b.mesh({{"POSITION", b.positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})}});
@@ -325,7 +336,7 @@ TEST(Gltf, GpuInstancing) {
   EXPECT_EQ(scene.objects[1].name, "tree[1]");
   EXPECT_LT(glm::distance(vec3(scene.objects[1].world_from_object * vec4(1, 0, 0, 1)), vec3(10, 102, 0)), 1e-5f);
   EXPECT_LT(glm::distance(vec3(scene.objects[2].world_from_object * vec4(1, 0, 0, 1)), vec3(-1, 100, 5)), 1e-5f);
-  EXPECT_NE(scene.objects[2].mesh, scene.objects[0].mesh) << "the mirrored instance";
+  EXPECT_EQ(scene.objects[2].mesh, scene.objects[0].mesh) << "the mirrored instance shares its mesh";
 
   GltfBuilder packed;
   packed.triangle();

@@ -22,6 +22,10 @@ shared_constant uint k_light_directional = 0u;
 shared_constant uint k_light_point = 1u;
 shared_constant uint k_light_spot = 2u;
 
+// Surfaces within 0.06 degrees of edge-on to the light receive none of it: whether their normal faces it is a matter of the
+// normal's 32 bits, and a wall under an overhead sun would count as lit or shadowed by chance.
+shared_constant float k_grazing_cosine = 1.0e-3f;
+
 // Length of a ray that leaves the scene.
 shared_constant float k_ray_endless = 1.0e30f;
 
@@ -50,10 +54,10 @@ inline_function mat3 basis_around(vec3 n) {
 // Whether any light could arrive at a point of the scene: its geometric normal faces the light's centre, and it lies within
 // range and cone. Shading normals play no part: what shading makes of a terminator is not visibility.
 inline_function bool receives_light(LightShape light, vec3 position, vec3 geometric_normal) {
-  if (light.kind == k_light_directional) return dot(geometric_normal, light.direction) < 0.0f;
+  if (light.kind == k_light_directional) return dot(geometric_normal, light.direction) < -k_grazing_cosine;
   vec3 to_light = light.position - position;
   float distance_to_light = length(to_light);
-  if (!(dot(geometric_normal, to_light) > 0.0f)) return false;
+  if (!(dot(geometric_normal, to_light) > k_grazing_cosine * distance_to_light)) return false;
   if (light.range > 0.0f && distance_to_light > light.range) return false;
   return light.kind != k_light_spot || dot(-to_light, light.direction) >= light.cos_outer_cone * distance_to_light;
 }

@@ -10,13 +10,6 @@
 namespace gnomon {
 namespace {
 
-// Embree inverts an instance's transform; a flattened object (a zero scale) has no inverse but still casts.
-bool invertible(const mat4& transform) {
-  const mat3 m(transform);
-  const float volume = std::abs(glm::determinant(m));
-  return volume > 1.0e-6f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
-}
-
 float texel_alpha(const Texture& texture, int x, int y) {
   const int wrapped_x = wrap_texel(x, texture.image.width, static_cast<uint32_t>(texture.wrap_u));
   const int wrapped_y = wrap_texel(y, texture.image.height, static_cast<uint32_t>(texture.wrap_v));

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "reference/cpu/acceleration.h"
+#include "reference/cpu/confidence.h"
 #include "scene/light_shape.h"
 #include "scene/plane_extent.h"
 
@@ -106,28 +107,8 @@ void trace_block(const Job& job, RTCScene scene, size_t begin, size_t end, Refer
     if (n == 0) continue;
     const float p = static_cast<float>(arrived[i - begin]) / static_cast<float>(n);
     result.visibility[i] = p;
-    // p (1 - p) / (n - 1) is unbiased for independent samples; the scrambled sequence does better, by how much is not known.
-    // One sample says nothing about its variance: at most 1/4.
-    if (job.light.emitter_radius > 0.0f) variance[i] = n > 1 ? p * (1.0f - p) / static_cast<float>(n - 1) : 0.25f;
+    if (job.light.emitter_radius > 0.0f) variance[i] = visibility_variance(p, static_cast<int>(n));
   }
-}
-
-// 95 % half-width of the mean over receivers. Pixels are scrambled independently; samples of one pixel share their sequence, so
-// their errors may all point one way: standard errors add within a pixel, variances between pixels.
-double mean_confidence(std::span<const SurfacePoint> points, std::span<const float> variance,
-                       std::span<const uint8_t> receiver) {
-  double sum_of_variances = 0.0, pixel_deviation = 0.0;
-  size_t receivers = 0;
-  for (size_t i = 0; i < points.size(); ++i) {
-    if (i > 0 && points[i].pixel != points[i - 1].pixel) {
-      sum_of_variances += pixel_deviation * pixel_deviation;
-      pixel_deviation = 0.0;
-    }
-    pixel_deviation += std::sqrt(static_cast<double>(variance[i]));
-    receivers += receiver[i];
-  }
-  sum_of_variances += pixel_deviation * pixel_deviation;
-  return receivers > 0 ? 1.96 * std::sqrt(sum_of_variances) / static_cast<double>(receivers) : 0.0;
 }
 
 }  // namespace
