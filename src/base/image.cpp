@@ -7,6 +7,7 @@
 #include <ImfOutputFile.h>
 #include <unistd.h>
 
+#include <limits>
 #include <memory>
 
 #include "base/error.h"
@@ -39,12 +40,20 @@ struct FreePixels {
 const stbi_uc* bytes_of(std::span<const std::byte> encoded) { return reinterpret_cast<const stbi_uc*>(encoded.data()); }
 
 void check_header(std::span<const std::byte> encoded, const std::string& name) {
+  if (encoded.size() > static_cast<size_t>(std::numeric_limits<int>::max()))
+    fail("{}: {} bytes; valid: below 2 GiB", name, encoded.size());
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(bytes_of(encoded), static_cast<int>(encoded.size()), &width, &height, &channels)) {
     fail("{}: not a picture that can be read ({}); valid: PNG, JPEG, TGA, BMP", name, stbi_failure_reason());
   }
   if (width > k_max_side || height > k_max_side) {
     fail("{}: {} x {} pixels; at most {} a side are supported", name, width, height, k_max_side);
+  }
+  // Deflate packs 1032 bytes of at least eight pixels each into one; nothing else packs more. A header alone must not cost a
+  // gigabyte.
+  constexpr uint64_t k_most_pixels_per_byte = 8 * 1032;
+  if (static_cast<uint64_t>(width) * static_cast<uint64_t>(height) > k_most_pixels_per_byte * encoded.size()) {
+    fail("{}: the picture is damaged ({} x {} pixels cannot be in {} bytes)", name, width, height, encoded.size());
   }
 }
 

@@ -196,6 +196,21 @@ TEST(GltfMaterials, AMissingPictureKeepsTheColourADamagedOneIsAnError) {
   EXPECT_NO_THROW(damaged.load()) << "pictures that nothing uses are not decoded";
 }
 
+TEST(GltfMaterials, APictureThatClaimsToBeHugeIsRefusedBeforeItCostsAnything) {
+  GltfBuilder b = with_material(k_textured);
+  auto encoded = png(1, false);
+  encoded[18] = encoded[22] = std::byte{0x40},
+  encoded[19] = encoded[23] = std::byte{0};  // 16384 x 16384 in the header of a file of less than 100 bytes
+  embed_picture(b, encoded);
+  try {
+    b.load();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("test.gltf: images[0]: ")) << error.what();
+    EXPECT_NE(std::string(error.what()).find("cannot be in"), std::string::npos) << error.what();
+  }
+}
+
 TEST(GltfMaterials, AFormatThatIsNotReadFallsBack) {
   GltfBuilder b = with_material(k_textured);
   embed_picture(b, png(5, false), {{"extensions", {{"EXT_texture_webp", {{"source", 1}}}}}});
