@@ -57,7 +57,7 @@ std::string decode_meshopt(const MeshoptFormat& f, std::span<const std::byte> en
   } else if (f.mode != "ATTRIBUTES") {
     return fmt::format("mode: is \"{}\"; valid: ATTRIBUTES, TRIANGLES, INDICES", f.mode);
   }
-  if (const std::string problem = check_meshopt(f, mode); !problem.empty()) return problem;
+  if (std::string problem = check_meshopt(f, mode); !problem.empty()) return problem;
   if (f.count * f.stride > largest_size(mode, encoded.size(), f.stride)) {
     return fmt::format("count: is {}; {} bytes cannot decode to as many elements", f.count, encoded.size());
   }
@@ -119,7 +119,7 @@ std::string decode_draco(std::span<const std::byte> encoded, const std::map<std:
       for (int k = 0; k < 3; ++k) result.indices.push_back(mesh->face(f)[static_cast<size_t>(k)].value());
     }
     for (const auto& [name, id] : attribute_ids) {
-      if (const std::string problem = read_attribute(*mesh, id, result.attributes[name]); !problem.empty()) return problem;
+      if (std::string problem = read_attribute(*mesh, id, result.attributes[name]); !problem.empty()) return problem;
     }
     return "";
   } catch (const std::exception& error) {

@@ -32,6 +32,6 @@ struct DracoMesh {
 
 // `attribute_ids`: which unique id of the stream is which attribute. Returns what is wrong, empty for success.
 std::string decode_draco(std::span<const std::byte> encoded, const std::map<std::string, uint32_t>& attribute_ids,
-                         DracoMesh& mesh);
+                         DracoMesh& result);
 
 }  // namespace gnomon

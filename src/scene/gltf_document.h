@@ -77,7 +77,7 @@ class GltfDocument {
   void check_asset() const;
   void read_buffers();
   void read_views();
-  Compressed read_compressed(const GltfValue& extension, uint64_t view_length) const;
+  Compressed read_compressed(const GltfValue& json, uint64_t view_length) const;
   void decode(View& view);
 
   std::string name_;

@@ -54,7 +54,8 @@ class Nodes {
 
   void add() {
     for (const int root : scene_roots()) visit(root);
-    for (const auto& [mesh, index] : mesh_index_) scene_.meshes[static_cast<size_t>(index)] = std::move(meshes_[static_cast<size_t>(mesh)]);
+    for (const auto& [mesh, index] : mesh_index_)
+      scene_.meshes[static_cast<size_t>(index)] = std::move(meshes_[static_cast<size_t>(mesh)]);
     if (document_.root().has("skins"))
       log_warning("{}: skins are not supported; skinned meshes keep their bind pose", document_.name());
     settle_far_planes();
@@ -154,8 +155,9 @@ class Nodes {
       const Node& node = hierarchy_[static_cast<size_t>(index)];
       const mat4 world_from_node = world_from_parent * node.parent_from_node;
       add_node(nodes_[static_cast<size_t>(index)], world_from_node);
-      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-        open.emplace_back(*child, world_from_node);
+      const auto first_child = static_cast<ptrdiff_t>(open.size());
+      for (const int child : node.children) open.emplace_back(child, world_from_node);
+      std::reverse(open.begin() + first_child, open.end());  // the first comes off the stack first
     }
   }
 
