@@ -18,7 +18,7 @@ float key_irradiance(std::span<const Light> lights, const Box& bounds) {
   float key = 0.0f;
   for (const Light& light : lights) {
     float irradiance = light.intensity * std::max(light.colour.x, std::max(light.colour.y, light.colour.z));
-    if (light.kind != LightKind::directional) {
+    if (!light.parallel()) {
       const float distance = std::max(glm::length(light.position - bounds.centre()), 0.5f * bounds.radius());
       irradiance /= std::max(distance * distance, 1e-6f);
     }

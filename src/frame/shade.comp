@@ -20,7 +20,7 @@ vec4 fetch(uint image, ivec2 at, int s) {
 
 // How much of a light's radiance a point receives, before visibility: the glTF rules for range and cone.
 float attenuation(LightData light, vec3 to_light, float distance_m) {
-  if (light.shape.kind == k_light_directional) return 1.0;
+  if (is_parallel(light.shape)) return 1.0;  // outside a beam the mask is 0
   float result = 1.0 / max(distance_m * distance_m, 1e-4);
   if (light.shape.range > 0.0) {
     float x = distance_m / light.shape.range;
@@ -35,7 +35,7 @@ float attenuation(LightData light, vec3 to_light, float distance_m) {
 }
 
 vec3 shade_light(LightData light, Surface surface, vec3 normal, vec3 to_eye, vec3 albedo, MaterialData material, float visibility) {
-  vec3 offset = light.shape.kind == k_light_directional ? -light.shape.direction : light.shape.position - surface.position_ws;
+  vec3 offset = is_parallel(light.shape) ? -light.shape.direction : light.shape.position - surface.position_ws;
   float distance_m = length(offset);
   vec3 to_light = offset / distance_m;
   // A surface that faces away is dark by N.L alone: the mask is not applied to it a second time, and a normal map cannot light

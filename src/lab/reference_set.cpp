@@ -69,10 +69,9 @@ ReferenceSet make_references(Session& session) {
 
   const auto trace_all = [&](const auto& trace) {
     for (const Light& light : session.frame().lights()) {
-      const bool has_size = light.kind == LightKind::directional ? light.angular_diameter > 0.0f : light.radius > 0.0f;
       LightReference reference;
       reference.hard = trace(light, false);
-      if (has_size && params.area) reference.area = trace(light, true);
+      if (light.has_size() && params.area) reference.area = trace(light, true);
       set.lights.push_back(std::move(reference));
     }
   };

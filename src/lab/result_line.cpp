@@ -17,13 +17,14 @@ double degrees(float radians) { return std::round(static_cast<double>(radians) *
 nlohmann::json describe_light(const Light& light) {
   nlohmann::json json = {{"name", light.name}, {"kind", light_kind_name(light.kind)}, {"intensity", light.intensity}};
   if (light.kind != LightKind::point) json["direction"] = to_json(light.direction);
-  if (light.kind == LightKind::directional) {
+  if (light.kind != LightKind::directional) json["position"] = to_json(light.position);
+  if (light.parallel()) {
     json["angular_diameter_deg"] = degrees(light.angular_diameter);
   } else {
-    json["position"] = to_json(light.position);
     json["radius_m"] = light.radius;
     json["range_m"] = light.range;
   }
+  if (light.kind == LightKind::projector) json["beam_radius_m"] = light.beam_radius;
   if (light.kind == LightKind::spot) json["outer_cone_deg"] = degrees(light.outer_cone);
   return json;
 }

@@ -1,6 +1,7 @@
 // The measuring protocol.
 #include "lab/timing.h"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
@@ -43,8 +44,9 @@ Timing time_frames(Device& device, const TimingOptions& options, const std::func
     if (frames >= k_min_frames && elapsed.count() > options.max_seconds) break;
     last = draw(whole);
     series.record.push_back(last.record_ms);
-    series.frame.push_back(wall ? last.wall_ms : last.gpu_ms);
+    const double frame_ms = wall ? last.wall_ms : last.gpu_ms;
     if (wall) last = draw(apart);
+    series.frame.push_back(std::max(frame_ms - last.submission_ms, 0.0));
     add_passes(series, last, wall);
   }
 

@@ -119,6 +119,7 @@ class Checker {
     positive(light.angular_diameter, ".angular_diameter");
     positive(light.radius, ".radius");
     positive(light.range, ".range");
+    positive(light.beam_radius, ".beam_radius");
     require(light.inner_cone >= 0.0f && light.inner_cone <= light.outer_cone, place + ".inner_cone", "0 to outer_cone");
     require(light.outer_cone <= 0.5f * k_pi + 1e-5f, place + ".outer_cone", "at most pi / 2");
   }

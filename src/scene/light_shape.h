@@ -15,10 +15,10 @@ inline LightShape light_shape(const Light& light, bool area) {
   shape.kind = static_cast<uint32_t>(light.kind);
   shape.direction = light.direction;
   shape.emitter_radius = 0.0f;
-  if (area)
-    shape.emitter_radius = light.kind == LightKind::directional ? std::tan(0.5f * light.angular_diameter) : light.radius;
+  if (area) shape.emitter_radius = light.parallel() ? std::tan(0.5f * light.angular_diameter) : light.radius;
   shape.cos_outer_cone = std::cos(light.outer_cone);
-  shape.range = light.kind == LightKind::directional ? 0.0f : light.range;
+  shape.range = light.parallel() ? 0.0f : light.range;
+  shape.beam_radius = light.beam_radius;
   return shape;
 }
 

@@ -89,7 +89,7 @@ class SceneHash {
   void add(const Object& object) { values(object.mesh, object.world_from_object, object.casts); }
   void add(const Light& light) {
     values(light.kind, light.position, light.direction, light.colour, light.intensity, light.angular_diameter);
-    values(light.radius, light.range, light.inner_cone, light.outer_cone);
+    values(light.radius, light.range, light.inner_cone, light.outer_cone, light.beam_radius);
   }
   void add(const Camera& camera) {
     values(camera.world_from_view, camera.orthographic, camera.vertical_fov, camera.half_height, camera.near, camera.far);

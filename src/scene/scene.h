@@ -76,18 +76,23 @@ struct Object {
   bool casts = true;
 };
 
-enum class LightKind : uint32_t { directional, point, spot };
+// In the order of base/glsl/light_sampling.glsl. A projector is a parallel beam inside a cylinder, dark outside.
+enum class LightKind : uint32_t { directional, point, spot, projector };
 struct Light {
   std::string name;
   LightKind kind = LightKind::directional;
-  vec3 position = vec3(0.0f);           // point and spot
-  vec3 direction = vec3(0, -1, 0);      // unit, the way the light travels; directional and spot
+  vec3 position = vec3(0.0f);           // all but directional; of a projector the centre of its aperture
+  vec3 direction = vec3(0, -1, 0);      // unit, the way the light travels; all but point
   vec3 colour = vec3(1.0f);             // linear
-  float intensity = 1.0f;               // lux for directional, candela for point and spot, as in KHR_lights_punctual
-  float angular_diameter = 0.0f;        // radians; a disc-shaped sun
+  float intensity = 1.0f;               // lux for directional and projector, candela for point and spot, as in KHR_lights_punctual
+  float angular_diameter = 0.0f;        // radians; a disc-shaped sun; directional and projector
   float radius = 0.0f;                  // metres; of the emitting sphere of point and spot lights
   float range = 0.0f;                   // metres; 0 = unlimited
-  float inner_cone = 0.0f, outer_cone = k_pi / 4.0f;  // half angles, radians
+  float inner_cone = 0.0f, outer_cone = k_pi / 4.0f;  // half angles, radians; spot
+  float beam_radius = 1.0f;             // metres; projector
+
+  bool parallel() const { return kind == LightKind::directional || kind == LightKind::projector; }
+  bool has_size() const { return (parallel() ? angular_diameter : radius) > 0.0f; }
 };
 
 struct Camera {

@@ -106,6 +106,7 @@ std::string_view light_kind_name(LightKind kind) {
     case LightKind::directional: return "directional";
     case LightKind::point: return "point";
     case LightKind::spot: return "spot";
+    case LightKind::projector: return "projector";
   }
   return "unknown";
 }

@@ -21,6 +21,7 @@ namespace gnomon {
 shared_constant uint k_light_directional = 0u;
 shared_constant uint k_light_point = 1u;
 shared_constant uint k_light_spot = 2u;
+shared_constant uint k_light_projector = 3u;  // parallel rays inside a cylinder
 
 // Surfaces within 0.06 degrees of edge-on to the light receive none of it: whether their normal faces it is a matter of the
 // normal's 32 bits, and a wall under an overhead sun would count as lit or shadowed by chance.
@@ -30,12 +31,13 @@ shared_constant float k_grazing_cosine = 1.0e-3f;
 shared_constant float k_ray_endless = 1.0e30f;
 
 struct LightShape {
-  vec3 position;         // point and spot
+  vec3 position;         // point, spot; projector: centre of the aperture
   uint kind;             // k_light_*
-  vec3 direction;        // unit, the way the light travels; directional and spot
-  float emitter_radius;  // metres; directional: tan(angular diameter / 2). 0: a hard shadow, every ray goes to the centre
+  vec3 direction;        // unit, the way the light travels; all but point
+  float emitter_radius;  // metres; parallel lights: tan(angular diameter / 2). 0: a hard shadow, every ray goes to the centre
   float cos_outer_cone;  // spot
   float range;           // metres; 0 = unlimited; point and spot
+  float beam_radius;     // metres; projector
 };
 
 struct LightRay {
@@ -51,11 +53,24 @@ inline_function mat3 basis_around(vec3 n) {
   return mat3(vec3(1.0f + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
 }
 
+// Directional and projector lights: the same direction everywhere.
+inline_function bool is_parallel(LightShape light) { return light.kind == k_light_directional || light.kind == k_light_projector; }
+
+// Unit vector from a point toward the light's centre.
+inline_function vec3 direction_to_light(LightShape light, vec3 position) {
+  return is_parallel(light) ? -light.direction : normalize(light.position - position);
+}
+
 // Whether any light could arrive at a point of the scene: its geometric normal faces the light's centre, and it lies within
 // range and cone. Shading normals play no part: what shading makes of a terminator is not visibility.
 inline_function bool receives_light(LightShape light, vec3 position, vec3 geometric_normal) {
   if (light.kind == k_light_directional) return dot(geometric_normal, light.direction) < -k_grazing_cosine;
   vec3 to_light = light.position - position;
+  if (light.kind == k_light_projector) {
+    float along = -dot(to_light, light.direction);
+    vec3 across = to_light + along * light.direction;
+    return dot(geometric_normal, light.direction) < -k_grazing_cosine && along > 0.0f && length(across) <= light.beam_radius;
+  }
   float distance_to_light = length(to_light);
   if (!(dot(geometric_normal, to_light) > k_grazing_cosine * distance_to_light)) return false;
   if (light.range > 0.0f && distance_to_light > light.range) return false;
@@ -72,7 +87,7 @@ inline_function vec2 light_sample(uint index, uint pixel, uint seed) {
 // From `origin` to the point of the emitter that `square` selects, uniformly by area. Emitters are discs that face the origin:
 // the sun's in the plane perpendicular to its direction at distance 1; a sphere's through its centre.
 inline_function LightRay light_ray(LightShape light, vec3 origin, vec2 square) {
-  vec3 to_centre = light.kind == k_light_directional ? -light.direction : light.position - origin;
+  vec3 to_centre = is_parallel(light) ? -light.direction : light.position - origin;
   vec3 to_emitter = to_centre;
   if (light.emitter_radius > 0.0f) {
     mat3 basis = basis_around(normalize(to_centre));
@@ -83,7 +98,11 @@ inline_function LightRay light_ray(LightShape light, vec3 origin, vec2 square) {
   LightRay ray;
   ray.direction = to_emitter / emitter_distance;
   // Short of the emitter by four units of rounding: a lamp's own surface through its centre casts no shadow.
-  ray.distance = light.kind == k_light_directional ? k_ray_endless : emitter_distance * (1.0f - 2.384185791015625e-07f * 4.0f);
+  float rounding = 1.0f - 2.384185791015625e-07f * 4.0f;
+  ray.distance = light.kind == k_light_directional ? k_ray_endless : emitter_distance * rounding;
+  // A beam begins at its aperture's plane: what stands behind the projector shadows nothing.
+  if (light.kind == k_light_projector)
+    ray.distance = dot(light.position - origin, -light.direction) / max(dot(ray.direction, -light.direction), 1e-3f) * rounding;
   return ray;
 }
 

@@ -47,7 +47,7 @@ class RayTraced : public Technique {
 }  // namespace
 
 GNOMON_REGISTER(direct, Direct) {
-  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), {LightKind::directional, LightKind::point, LightKind::spot},
+  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), {LightKind::directional, LightKind::point, LightKind::spot, LightKind::projector},
           [](TechniqueContext& context, const ParamBlock&) -> std::unique_ptr<Technique> { return std::make_unique<RayTraced>(context); }};
 }
 

@@ -20,7 +20,7 @@ float evaluate(uvec2 pixel, uint s) {
   if (!load_surface(frame, pixel, s, surface)) return 1.0;
   LightShape shape = frame.v.lights.v[light].shape;
   if (!receives_light(shape, surface.position_ws, surface.geometric_normal_ws)) return 0.0;
-  vec3 to_light = shape.kind == k_light_directional ? -shape.direction : normalize(shape.position - surface.position_ws);
+  vec3 to_light = direction_to_light(shape, surface.position_ws);
   return visibility(views, map_image, projection.v, map_filter.v, bias.v, surface.position_ws, surface.geometric_normal_ws, to_light);
 }
 
