@@ -153,6 +153,10 @@ void GpuScene::upload_geometry() {
   attributes_ = upload_vector(device_, "vertex attributes", attributes);
   indices_ = upload_vector(device_, "indices", indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT | build_input);
   items_ = upload_vector(device_, "draw items", item_list_);
+  std::array<uint32_t, k_bucket_count> ends;
+  for (uint32_t b = 0; b < k_bucket_count; ++b) ends[b] = buckets_[b].end;
+  caster_items_ = make_caster_list(device_, item_list_, positions, indices, ends, false);
+  caster_clusters_ = make_caster_list(device_, item_list_, positions, indices, ends, true);
 }
 
 }  // namespace gnomon

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "frame/caster_list.h"
 #include "frame/glsl/cull_data.glsl"
 #include "gpu/buffer.h"
 #include "gpu/image.h"
@@ -31,6 +32,9 @@ class GpuScene {
   const std::vector<DrawItem>& item_list() const { return item_list_; }
   const Bucket& bucket(uint32_t index) const { return buckets_[index]; }
   size_t vertex_count() const { return vertex_count_; }
+  // What shadow maps draw: items or their clusters.
+  const CasterList& casters(bool clusters) const { return clusters ? caster_clusters_ : caster_items_; }
+  const CasterList& caster_clusters() const { return caster_clusters_; }
   // Triangles of the items that cast, as the rasteriser draws them.
   size_t caster_triangles() const { return caster_triangles_; }
   const Box& caster_bounds() const { return caster_bounds_; }
@@ -48,6 +52,7 @@ class GpuScene {
   std::vector<Image> textures_;
   std::vector<DrawItem> item_list_;
   std::array<Bucket, k_bucket_count> buckets_;
+  CasterList caster_items_, caster_clusters_;
   size_t vertex_count_ = 0, caster_triangles_ = 0;
   Box bounds_, caster_bounds_;
   float plane_extent_ = 0.0f;

@@ -95,6 +95,10 @@ void Bindless::create_samplers(float max_anisotropy) {
   infos.push_back(compare);  // depth_compare_linear
   compare.magFilter = compare.minFilter = VK_FILTER_NEAREST;
   infos.push_back(compare);  // depth_compare_nearest
+  VkSamplerCreateInfo anisotropic = base;
+  anisotropic.anisotropyEnable = max_anisotropy > 1.0f;
+  anisotropic.maxAnisotropy = max_anisotropy;
+  infos.push_back(anisotropic);  // anisotropic_clamp
   constexpr VkSamplerAddressMode k_wraps[] = {VK_SAMPLER_ADDRESS_MODE_REPEAT, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                                               VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT};
   for (const auto u : k_wraps) {

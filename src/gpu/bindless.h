@@ -12,7 +12,7 @@
 namespace gnomon {
 
 // Samplers that every shader can name; the order is that of glsl/bindless.glsl.
-enum class SamplerKind : uint32_t { nearest_clamp, linear_clamp, depth_compare_linear, depth_compare_nearest, material_first };
+enum class SamplerKind : uint32_t { nearest_clamp, linear_clamp, depth_compare_linear, depth_compare_nearest, anisotropic_clamp, material_first };
 
 class Bindless {
  public:

@@ -20,9 +20,26 @@ void Commands::dispatch(uvec2 count, uvec2 group) {
   ++dispatches_;
 }
 
+void Commands::dispatch(glm::uvec3 groups) {
+  vkCmdDispatch(commands_, groups.x, groups.y, groups.z);
+  ++dispatches_;
+}
+
+void Commands::compute_barrier() {
+  VkMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+  barrier.srcAccessMask = VK_ACCESS_2_SHADER_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT;
+  VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+  dependency.memoryBarrierCount = 1;
+  dependency.pMemoryBarriers = &barrier;
+  vkCmdPipelineBarrier2(commands_, &dependency);
+}
+
 void Commands::dispatch_1d(uint32_t count, uint32_t group) { dispatch({count, 1}, {group, 1}); }
 
-void Commands::begin_rendering(uvec2 size, std::span<const Attachment> colours, const Attachment& depth) {
+void Commands::begin_rendering(uvec2 size, std::span<const Attachment> colours, const Attachment& depth, uint32_t layers,
+                               uint32_t view_mask) {
   const auto attachment_info = [](const Attachment& attachment) {
     VkRenderingAttachmentInfo info = {VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     info.imageView = attachment.view;
@@ -37,7 +54,8 @@ void Commands::begin_rendering(uvec2 size, std::span<const Attachment> colours, 
   const VkRenderingAttachmentInfo depth_info = attachment_info(depth);
   VkRenderingInfo info = {VK_STRUCTURE_TYPE_RENDERING_INFO};
   info.renderArea.extent = {size.x, size.y};
-  info.layerCount = 1;
+  info.layerCount = layers;
+  info.viewMask = view_mask;
   info.colorAttachmentCount = static_cast<uint32_t>(colour_infos.size());
   info.pColorAttachments = colour_infos.data();
   info.pDepthAttachment = &depth_info;

@@ -45,6 +45,9 @@ void find_missing(const VkPhysicalDeviceFeatures& core, const VkPhysicalDeviceVu
       {core.drawIndirectFirstInstance == VK_TRUE, "drawIndirectFirstInstance"},
       {core.geometryShader == VK_TRUE, "geometryShader (for gl_PrimitiveID)"},
       {core.shaderInt64 == VK_TRUE, "shaderInt64"},
+      {core.shaderStorageImageReadWithoutFormat == VK_TRUE, "shaderStorageImageReadWithoutFormat"},
+      {core.shaderStorageImageWriteWithoutFormat == VK_TRUE, "shaderStorageImageWriteWithoutFormat"},
+      {core.shaderStorageImageExtendedFormats == VK_TRUE, "shaderStorageImageExtendedFormats"},
       {v11.shaderDrawParameters == VK_TRUE, "shaderDrawParameters"},
       {v12.drawIndirectCount == VK_TRUE, "drawIndirectCount"},
       {v12.bufferDeviceAddress == VK_TRUE, "bufferDeviceAddress"},
@@ -167,6 +170,7 @@ DeviceInfo device_info(VkPhysicalDevice physical) {
 FeatureChain::FeatureChain(const DeviceInfo& info) {
   auto& core = features.features;
   core.multiDrawIndirect = core.drawIndirectFirstInstance = core.shaderInt64 = VK_TRUE;
+  core.shaderStorageImageReadWithoutFormat = core.shaderStorageImageWriteWithoutFormat = core.shaderStorageImageExtendedFormats = VK_TRUE;
   core.geometryShader = VK_TRUE;
   core.samplerAnisotropy = info.anisotropy;
   core.depthClamp = info.depth_clamp;

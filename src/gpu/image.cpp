@@ -71,28 +71,36 @@ void Image::create_views() {
   view.format = info_.format;
   view.subresourceRange = {aspect(), 0, info_.mips, 0, info_.layers};
   vk_check(vkCreateImageView(device_->handle(), &view, nullptr, &view_), "vkCreateImageView");
+  const auto make = [&](VkImageViewType type, uint32_t mip, uint32_t layer, uint32_t layers) {
+    view.viewType = type;
+    view.subresourceRange = {aspect(), mip, 1, layer, layers};
+    part_views_.push_back(VK_NULL_HANDLE);
+    vk_check(vkCreateImageView(device_->handle(), &view, nullptr, &part_views_.back()), "vkCreateImageView");
+    return part_views_.back();
+  };
+  const VkImageViewType whole = view.viewType;
   if (info_.usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)) {
-    view.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    for (uint32_t layer = 0; layer < info_.layers; ++layer) {
-      view.subresourceRange = {aspect(), 0, 1, layer, 1};
-      layer_views_.push_back(VK_NULL_HANDLE);
-      vk_check(vkCreateImageView(device_->handle(), &view, nullptr, &layer_views_.back()), "vkCreateImageView");
-    }
+    for (uint32_t layer = 0; layer < info_.layers; ++layer) layer_views_.push_back(make(VK_IMAGE_VIEW_TYPE_2D, 0, layer, 1));
+    attachment_view_ = make(whole, 0, 0, info_.layers);
   }
   const auto sampled_kind = info_.material ? Bindless::Kind::material : Bindless::Kind::frame;
   if (info_.usage & VK_IMAGE_USAGE_SAMPLED_BIT) sampled_ = device_->bindless().add(sampled_kind, view_);
-  if (info_.usage & VK_IMAGE_USAGE_STORAGE_BIT) storage_ = device_->bindless().add(Bindless::Kind::storage, view_);
+  if (info_.usage & VK_IMAGE_USAGE_STORAGE_BIT) {
+    for (uint32_t mip = 0; mip < info_.mips; ++mip) {
+      storages_.push_back(device_->bindless().add(Bindless::Kind::storage, make(whole, mip, 0, info_.layers)));
+    }
+  }
 }
 
 void Image::release() noexcept {
   if (!image_) return;
   device_->note_allocation(-static_cast<int64_t>(bytes_));
-  device_->defer([device = device_, image = image_, allocation = allocation_, view = view_, layer_views = layer_views_,
-                  sampled = sampled_, storage = storage_,
+  device_->defer([device = device_, image = image_, allocation = allocation_, view = view_, part_views = part_views_,
+                  sampled = sampled_, storages = storages_,
                   sampled_kind = info_.material ? Bindless::Kind::material : Bindless::Kind::frame] {
     if (sampled != k_no_index) device->bindless().remove(sampled_kind, sampled);
-    if (storage != k_no_index) device->bindless().remove(Bindless::Kind::storage, storage);
-    for (const VkImageView layer_view : layer_views) vkDestroyImageView(device->handle(), layer_view, nullptr);
+    for (const uint32_t storage : storages) device->bindless().remove(Bindless::Kind::storage, storage);
+    for (const VkImageView part : part_views) vkDestroyImageView(device->handle(), part, nullptr);
     vkDestroyImageView(device->handle(), view, nullptr);
     vmaDestroyImage(device->allocator(), image, allocation);
   });
@@ -108,7 +116,9 @@ void Image::swap(Image& other) noexcept {
   std::swap(view_, other.view_);
   std::swap(layer_views_, other.layer_views_);
   std::swap(sampled_, other.sampled_);
-  std::swap(storage_, other.storage_);
+  std::swap(attachment_view_, other.attachment_view_);
+  std::swap(part_views_, other.part_views_);
+  std::swap(storages_, other.storages_);
   std::swap(state_, other.state_);
 }
 

@@ -41,10 +41,12 @@ class Image {
   VkImage handle() const { return image_; }
   VkImageView view() const { return view_; }                      // all layers and mips
   VkImageView layer_view(uint32_t layer) const { return layer_views_[layer]; }  // mip 0, as an attachment
+  VkImageView attachment_view() const { return attachment_view_; }              // the same of all layers
   const ImageInfo& info() const { return info_; }
   VkImageAspectFlags aspect() const;
   uint32_t sampled() const { return sampled_; }  // index for texture2D (MS, array) in the bindless set
-  uint32_t storage() const { return storage_; }
+  // Index for storage images in the bindless set; array images are arrays there too.
+  uint32_t storage(uint32_t mip = 0) const { return storages_[mip]; }
   ResourceState& state() const { return state_; }
 
  private:
@@ -59,7 +61,10 @@ class Image {
   VkDeviceSize bytes_ = 0;
   VkImageView view_ = VK_NULL_HANDLE;
   std::vector<VkImageView> layer_views_;
-  uint32_t sampled_ = k_no_index, storage_ = k_no_index;
+  VkImageView attachment_view_ = VK_NULL_HANDLE;
+  std::vector<VkImageView> part_views_;  // every view but view_, for destruction
+  uint32_t sampled_ = k_no_index;
+  std::vector<uint32_t> storages_;      // one per mip
   mutable ResourceState state_;
 };
 

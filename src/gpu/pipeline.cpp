@@ -82,7 +82,11 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
   const Specialisation specialisation(info.constants);
   const ShaderModule vertex(device, info.vertex);
   std::vector<VkPipelineShaderStageCreateInfo> stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, &specialisation.info)};
-  std::unique_ptr<ShaderModule> fragment;
+  std::unique_ptr<ShaderModule> fragment, geometry;
+  if (!info.geometry.empty()) {
+    geometry = std::make_unique<ShaderModule>(device, info.geometry);
+    stages.push_back(geometry->stage(VK_SHADER_STAGE_GEOMETRY_BIT, &specialisation.info));
+  }
   if (!info.fragment.empty()) {
     fragment = std::make_unique<ShaderModule>(device, info.fragment);
     stages.push_back(fragment->stage(VK_SHADER_STAGE_FRAGMENT_BIT, &specialisation.info));
@@ -114,6 +118,7 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
   dynamic.pDynamicStates = dynamic_states.data();
 
   VkPipelineRenderingCreateInfo rendering = {VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+  rendering.viewMask = info.view_mask;
   rendering.colorAttachmentCount = static_cast<uint32_t>(info.colour_formats.size());
   rendering.pColorAttachmentFormats = info.colour_formats.data();
   rendering.depthAttachmentFormat = info.depth_format;

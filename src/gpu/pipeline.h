@@ -41,12 +41,13 @@ Pipeline make_compute_pipeline(Device& device, std::string_view shader, const Sp
 
 // Triangles without vertex input (shaders pull by address); viewport, scissor, cull mode are set while recording.
 struct GraphicsPipelineInfo {
-  std::string vertex, fragment;  // shader names; an empty fragment shader makes a depth-only pipeline
+  std::string vertex, geometry, fragment;  // shader names; an empty fragment shader makes a depth-only pipeline
   std::vector<VkFormat> colour_formats;
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
   VkCompareOp depth_compare = VK_COMPARE_OP_GREATER;  // reversed Z of the viewer's camera
   bool depth_clamp = false;                           // ignored where the device has none
   uint32_t samples = 1;
+  uint32_t view_mask = 0;  // layers that multiview repeats each draw in
   SpecialisationConstants constants;
 };
 Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info);

@@ -71,7 +71,11 @@ class Commands {
   // Enough groups of `group` invocations to cover `count`.
   void dispatch(uvec2 count, uvec2 group);
   void dispatch_1d(uint32_t count, uint32_t group);
-  void begin_rendering(uvec2 size, std::span<const Attachment> colours, const Attachment& depth);
+  void dispatch(glm::uvec3 groups);
+  // Between two dispatches of one pass: the second reads what the first wrote.
+  void compute_barrier();
+  // view_mask: of multiview, else 0.
+  void begin_rendering(uvec2 size, std::span<const Attachment> colours, const Attachment& depth, uint32_t layers = 1, uint32_t view_mask = 0);
   void end_rendering();
   void cull_mode(VkCullModeFlags mode);
   // Indexed, indirect, with the count at `count_offset` of `counts` (bytes); at most `max_draws`.

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "frame/depth_pass.h"
+#include "frame/caster_draws.h"
 #include "lab/lab_params.h"
 #include "reference/pipeline_reference.h"
 
@@ -48,15 +48,13 @@ size_t rasterised_caster_triangles(Session& session) {
   info.format = VK_FORMAT_D32_SFLOAT;
   info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
   const Image map(device, info);
-  const Buffer view(device, "caster count view", sizeof(mat4), BufferMemory::upload);
-  view.mapped_as<mat4>()[0] = view_of_everything(scene.caster_bounds());
+  const Buffer view(device, "caster count view", sizeof(LightView), BufferMemory::upload);
+  view.mapped_as<LightView>()[0] = {view_of_everything(scene.caster_bounds()), k_view_projective, 0.0f, 1.0f, 1};
   view.flush();
-  CulledDraws draws(device, scene, "caster count");
-  const DepthPassPipelines pipelines = make_depth_pipelines(device, true);
+  CasterDraws draws(device, scene, "caster count", {.depth_clamp = true});
   Recorder recorder(device, TimingMode::measure, false);
   recorder.begin();
-  draws.record(recorder, session.frame().cull_pipeline(), "caster count/cull", PassStage::other, view.address(), k_cull_casters_only);
-  record_depth_pass(recorder, "caster count/draw", scene, pipelines, draws, map, 0, view.address(), false);
+  draws.record(recorder, "caster count", {&view, 0, sizeof(LightView), 1}, CasterCulling::none, false, map);
   return recorder.finish().passes.back().triangles;
 }
 

@@ -1,5 +1,5 @@
 // Maps of depth drawn from a light, texel by texel, against planes and boxes that can be written down.
-#include "frame/depth_pass.h"
+#include "frame/caster_draws.h"
 
 #include "support/scenes.h"
 #include "support/view.h"
@@ -36,14 +36,12 @@ std::vector<float> depth_map(Scene scene, const Options& options = {}) {
   info.format = VK_FORMAT_D32_SFLOAT;
   info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   const Image map(device(), info);
-  const Buffer matrix(device(), "view", sizeof(mat4), BufferMemory::upload), result(device(), "depths", k_size * k_size * 4);
-  matrix.mapped_as<mat4>()[0] = from_above();
-  matrix.flush();
-  CulledDraws draws(device(), view.gpu_scene(), "light");
-  const DepthPassPipelines pipelines = make_depth_pipelines(device(), options.depth_clamp);
+  const Buffer light(device(), "view", 2 * sizeof(LightView), BufferMemory::upload), result(device(), "depths", k_size * k_size * 4);
+  for (int layer = 0; layer < 2; ++layer) light.mapped_as<LightView>()[layer] = {from_above(), k_view_projective, 0.0f, k_depth, 1};
+  light.flush();
+  CasterDraws draws(device(), view.gpu_scene(), "light", {.depth_clamp = options.depth_clamp, .layers = 2});
   test::run_passes([&](Recorder& recorder) {
-    draws.record(recorder, view.frame().cull_pipeline(), "cull", PassStage::build, matrix.address(), k_cull_casters_only);
-    record_depth_pass(recorder, "depth", view.gpu_scene(), pipelines, draws, map, 1, matrix.address(), options.front_face_culling);
+    draws.record(recorder, "light", {&light, 0, sizeof(LightView), 2}, CasterCulling::clusters, options.front_face_culling, map);
     recorder.pass("copy", PassStage::other, {{map, Use::copy_read}, {result, Use::copy_write}}, [&](Commands& commands) {
       VkBufferImageCopy region = {};
       region.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, 1};

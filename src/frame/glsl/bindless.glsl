@@ -3,11 +3,15 @@
 #define GNOMON_BINDLESS_GLSL
 #extension GL_EXT_nonuniform_qualifier : require
 #extension GL_EXT_samplerless_texture_functions : require
+#extension GL_EXT_shader_image_load_formatted : require
 
 layout(set = 0, binding = 0) uniform texture2D material_textures[];
 layout(set = 1, binding = 0) uniform texture2D images_2d[];
 layout(set = 1, binding = 0) uniform texture2DArray images_2d_array[];
 layout(set = 1, binding = 0) uniform texture2DMS images_2d_ms[];
+layout(set = 1, binding = 0) uniform texture2DMSArray images_2d_ms_array[];
+layout(set = 1, binding = 0) uniform utexture2DArray images_2d_array_uint[];
+layout(set = 1, binding = 1) uniform image2DArray storage_images[];
 layout(set = 0, binding = 1) uniform sampler samplers[];
 layout(set = 0, binding = 1) uniform samplerShadow shadow_samplers[];
 
@@ -16,6 +20,7 @@ const uint k_sampler_nearest_clamp = 0u;
 const uint k_sampler_linear_clamp = 1u;
 const uint k_sampler_compare_linear = 2u;
 const uint k_sampler_compare_nearest = 3u;
-const uint k_sampler_material_first = 4u;
+const uint k_sampler_anisotropic_clamp = 4u;
+const uint k_sampler_material_first = 5u;
 
 #endif

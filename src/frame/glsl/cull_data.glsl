@@ -8,7 +8,6 @@ namespace gnomon {
 layout(buffer_reference, scalar) readonly buffer Mat4s { mat4 v; };
 #endif
 
-shared_constant uint k_bucket_count = 8u;
 struct CullArguments {
   ADDRESS(Mat4) clip_from_world;  // of the view, on the GPU: a technique may compute it there
   ADDRESS(DrawItem) items;

@@ -28,6 +28,8 @@ struct DrawItem {
 };
 shared_constant uint k_item_casts = 1u;
 shared_constant uint k_item_mirrored = 2u;
+// Items that are drawn with the same state lie together (frame/gpu_scene.h).
+shared_constant uint k_bucket_count = 8u;
 
 struct VertexAttributes {
   vec2 uv;

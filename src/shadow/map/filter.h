@@ -4,20 +4,40 @@
 
 #include "base/params.h"
 #include "frame/frame.h"
+#include "shadow/map/glsl/map_data.glsl"
 
 namespace gnomon {
+
+// The map that a filter belongs to; constant between rebuilds.
+struct MapInfo {
+  std::string name;        // "projection/filter": of passes and images
+  uint32_t size = 0;       // texels along a side
+  uint32_t layers = 0;
+};
+
+// What the projection drew this frame. Layers that are not in use hold depth 1.
+struct DrawnMap {
+  const Image& depth;      // D32, an array, with Filter::depth_samples() samples
+  const Image* object_ids; // R32_UINT; null unless Filter::object_ids()
+  const Buffer& views;     // ShadowMapData, then a ShadowView for each layer
+  uint64_t params;         // device address of the filter's parameters
+};
 
 class Filter {
  public:
   virtual ~Filter() = default;
   virtual void set(const ParamBlock& params) = 0;
 
-  // Called once per build: makes what the filter needs beside the depth map.
-  virtual void prepare(Device& /*device*/, const Image& /*depth_map*/) {}
+  // Constant between rebuilds.
+  virtual uint32_t depth_samples() const { return 1; }  // of the depth map; more than one only where record() reads all of them
+  virtual bool object_ids() const { return false; }     // the map also stores which object is nearest
+
+  // Called once per build, before record: makes what the filter needs beside the depth map.
+  virtual void prepare(Device& /*device*/, const MapInfo& /*info*/) {}
   // Passes between the depth map and the resolve. None where the filter reads depth itself.
-  virtual void record(Recorder& /*recorder*/, const Image& /*depth_map*/) {}
+  virtual void record(Recorder& /*recorder*/, const DrawnMap& /*map*/) {}
   // What lit() reads.
-  virtual const Image& map(const Image& depth_map) const { return depth_map; }
+  virtual const Image& map(const DrawnMap& drawn) const { return drawn.depth; }
 };
 
 }  // namespace gnomon

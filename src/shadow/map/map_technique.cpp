@@ -4,12 +4,19 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "frame/layering_choice.h"
+#include "scene/light_shape.h"
 
 namespace gnomon {
 namespace {
 
 // The GLSL structs end in `uint table_end`.
 size_t block_bytes(const ParamBlock& block) { return block.words().size_bytes() + sizeof(uint32_t); }
+
+LayeringPath chosen_path(const submission_params::Params& params, const DeviceInfo& device) {
+  if (params.path == submission_params::path_automatic) return fastest_layering_path(device);
+  return static_cast<LayeringPath>(params.path - submission_params::path_per_layer);
+}
 
 }  // namespace
 
@@ -20,25 +27,41 @@ MapTechnique::MapTechnique(TechniqueContext& context, const ProjectionInfo& proj
       projection_(projection.make(settings.at(projection.id))),
       filter_(filter.make(settings.at(filter.id))) {
   Device& device = context.device();
+  submission_ = settings.at("submission").as<submission_params::Params>();
+  create_map(device, context.frame().scene());
+  filter_->prepare(device, {name_, projection_->map_size(), projection_->layers()});
+  views_ = Buffer(device, name_ + " views", sizeof(ShadowMapData) + projection_->layers() * sizeof(ShadowView), BufferMemory::upload);
+  view_bytes_.resize(views_.bytes());
+  filter_offset_ = block_bytes(settings.at(projection_id_));
+  bias_offset_ = filter_offset_ + block_bytes(settings.at(filter_id_));
+  params_ = Buffer(device, name_ + " parameters", bias_offset_ + block_bytes(settings.at("bias")), BufferMemory::upload);
+  resolve_ = make_compute_pipeline(device, "resolve/" + name_ + ".comp", {context.frame().samples()});
+  set(settings);
+}
+
+void MapTechnique::create_map(Device& device, const GpuScene& scene) {
   ImageInfo map;
   map.name = name_ + " depth map";
   map.width = map.height = projection_->map_size();
   map.layers = projection_->layers();
   map.array = true;
   map.format = VK_FORMAT_D32_SFLOAT;
+  map.samples = filter_->depth_samples();
   map.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   depth_ = Image(device, map);
-  filter_->prepare(device, depth_);
-  views_ = Buffer(device, name_ + " views", map.layers * sizeof(ShadowView), BufferMemory::upload);
-  filter_offset_ = block_bytes(settings.at(projection_id_));
-  bias_offset_ = filter_offset_ + block_bytes(settings.at(filter_id_));
-  params_ = Buffer(device, name_ + " parameters", bias_offset_ + block_bytes(settings.at("bias")), BufferMemory::upload);
-  for (uint32_t layer = 0; layer < map.layers; ++layer) {
-    draws_.emplace_back(device, context.frame().scene(), fmt::format("{} layer {}", name_, layer));
+  if (filter_->object_ids()) {
+    map.name = name_ + " object ids";
+    map.format = VK_FORMAT_R32_UINT;
+    map.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    object_ids_ = Image(device, map);
   }
-  depth_pipelines_ = make_depth_pipelines(device, projection_->depth_clamp());
-  resolve_ = make_compute_pipeline(device, "resolve/" + name_ + ".comp");
-  set(settings);
+  CasterDrawOptions options;
+  options.path = chosen_path(submission_, device.info());
+  options.depth_clamp = projection_->depth_clamp();
+  options.layers = map.layers;
+  options.samples = map.samples;
+  options.object_ids = filter_->object_ids();
+  draws_ = std::make_unique<CasterDraws>(device, scene, name_, options);
 }
 
 void MapTechnique::set(const SettingsMap& settings) {
@@ -50,25 +73,48 @@ void MapTechnique::set(const SettingsMap& settings) {
   projection_->set(store(projection_id_, 0));
   filter_->set(store(filter_id_, filter_offset_));
   bias_ = store("bias", bias_offset_).as<bias_params::Params>();
+  submission_ = settings.at("submission").as<submission_params::Params>();
   params_.flush();
+  map_is_current_ = false;
+}
+
+bool MapTechnique::update_views(const Frame& frame, const Light& light) {
+  const std::vector<ShadowView> views = projection_->views(frame, light);
+  GNOMON_ASSERT(views.size() <= projection_->layers());
+  std::vector<std::byte> bytes(views_.bytes());
+  const CameraData& camera = frame.camera();
+  ShadowMapData map = {};
+  map.eye_depth = vec4(camera.forward_ws, -glm::dot(camera.forward_ws, camera.eye_ws));
+  map.emitter_radius = light_shape(light, true).emitter_radius;
+  map.parallel = light.parallel();
+  map.layers = static_cast<uint32_t>(views.size());
+  std::memcpy(bytes.data(), &map, sizeof map);
+  std::memcpy(bytes.data() + sizeof map, views.data(), views.size() * sizeof(ShadowView));
+  // Layers that this frame does not need keep `active` at 0.
+  const bool same = std::memcmp(bytes.data() + sizeof map, view_bytes_.data() + sizeof map, bytes.size() - sizeof map) == 0;
+  view_bytes_ = std::move(bytes);
+  std::memcpy(views_.mapped(), view_bytes_.data(), view_bytes_.size());
+  views_.flush();
+  return !same;
+}
+
+DrawnMap MapTechnique::drawn() const {
+  return {depth_, filter_->object_ids() ? &object_ids_ : nullptr, views_, params_.address() + filter_offset_};
 }
 
 void MapTechnique::record(Recorder& recorder, const Frame& frame, size_t light) {
-  const std::vector<ShadowView> views = projection_->views(frame, frame.lights()[light]);
-  GNOMON_ASSERT(views.size() == projection_->layers());
-  std::memcpy(views_.mapped(), views.data(), views.size() * sizeof(ShadowView));
-  views_.flush();
-
-  const bool single_layer = projection_->layers() == 1;
-  for (uint32_t layer = 0; layer < projection_->layers(); ++layer) {
-    const uint64_t view = views_.address() + layer * sizeof(ShadowView);
-    const std::string suffix = single_layer ? "" : fmt::format("/{}", layer);
-    draws_[layer].record(recorder, frame.cull_pipeline(), projection_id_ + "/cull" + suffix, PassStage::build, view, k_cull_casters_only);
-    record_depth_pass(recorder, projection_id_ + "/depth" + suffix, frame.scene(), depth_pipelines_, draws_[layer], depth_, layer, view,
-                      bias_.front_face_culling != 0);
-  }
-  filter_->record(recorder, depth_);
+  const bool moved = update_views(frame, frame.lights()[light]) || projection_->on_gpu();
+  if (!submission_.cache || moved || !map_is_current_) record_map(recorder, frame, light);
+  map_is_current_ = true;
   record_resolve(recorder, frame, light);
+}
+
+void MapTechnique::record_map(Recorder& recorder, const Frame& frame, size_t light) {
+  projection_->record_views(recorder, frame, frame.lights()[light], views_);
+  const LightViews views = {&views_, sizeof(ShadowMapData), sizeof(ShadowView), projection_->layers()};
+  draws_->record(recorder, projection_id_, views, static_cast<CasterCulling>(submission_.culling), bias_.front_face_culling != 0, depth_,
+                 filter_->object_ids() ? &object_ids_ : nullptr);
+  filter_->record(recorder, drawn());
 }
 
 void MapTechnique::record_resolve(Recorder& recorder, const Frame& frame, size_t light) {
@@ -76,7 +122,7 @@ void MapTechnique::record_resolve(Recorder& recorder, const Frame& frame, size_t
     uint64_t frame, views, projection, filter, bias, mask;
     uint32_t light, map_image;
   };
-  const Image& map = filter_->map(depth_);
+  const Image& map = filter_->map(drawn());
   const Arguments arguments = {frame.data_address(),
                                views_.address(),
                                params_.address(),
@@ -87,6 +133,7 @@ void MapTechnique::record_resolve(Recorder& recorder, const Frame& frame, size_t
                                map.sampled()};
   std::vector<ResourceUse> uses = frame.surface_uses(Use::compute_read);
   uses.emplace_back(map, Use::compute_read);
+  uses.emplace_back(views_, Use::compute_read);
   uses.emplace_back(frame.mask(), Use::compute_write);
   recorder.pass(name_ + "/resolve", PassStage::resolve, uses, [&](Commands& commands) {
     commands.bind(resolve_);

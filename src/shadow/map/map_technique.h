@@ -1,7 +1,7 @@
 // A projection times a filter: renders the map, lets the filter convert it, resolves the mask.
 #pragma once
 
-#include "frame/depth_pass.h"
+#include "frame/caster_draws.h"
 #include "shadow/registry.h"
 
 namespace gnomon {
@@ -12,6 +12,12 @@ namespace bias_params {
 #undef GNOMON_PARAMS_FILE
 }  // namespace bias_params
 
+namespace submission_params {
+#define GNOMON_PARAMS_FILE "shadow/map/submission.params"
+#include "base/params_define.h"
+#undef GNOMON_PARAMS_FILE
+}  // namespace submission_params
+
 class MapTechnique : public Technique {
  public:
   MapTechnique(TechniqueContext& context, const ProjectionInfo& projection, const FilterInfo& filter, const SettingsMap& settings);
@@ -19,18 +25,25 @@ class MapTechnique : public Technique {
   void record(Recorder& recorder, const Frame& frame, size_t light) override;
 
  private:
+  void create_map(Device& device, const GpuScene& scene);
+  // Writes the views of this frame; true when they differ from the last frame's.
+  bool update_views(const Frame& frame, const Light& light);
+  void record_map(Recorder& recorder, const Frame& frame, size_t light);
   void record_resolve(Recorder& recorder, const Frame& frame, size_t light);
+  DrawnMap drawn() const;
 
   std::string projection_id_, filter_id_, name_;
   std::unique_ptr<Projection> projection_;
   std::unique_ptr<Filter> filter_;
   bias_params::Params bias_;
-  Image depth_;
+  submission_params::Params submission_;
+  Image depth_, object_ids_;
   Buffer views_, params_;
+  std::vector<std::byte> view_bytes_;           // as in views_, where the CPU can read them
   size_t filter_offset_ = 0, bias_offset_ = 0;  // of the blocks in params_
-  std::vector<CulledDraws> draws_;              // per layer
-  DepthPassPipelines depth_pipelines_;
+  std::unique_ptr<CasterDraws> draws_;
   Pipeline resolve_;
+  bool map_is_current_ = false;  // for submission.cache
 };
 
 }  // namespace gnomon

@@ -18,11 +18,16 @@ class Projection {
 
   // Constant between rebuilds.
   virtual uint32_t map_size() const = 0;  // texels along a side
-  virtual uint32_t layers() const = 0;
-  virtual bool depth_clamp() const = 0;
+  virtual uint32_t layers() const = 0;    // at most k_max_layers
+  virtual bool depth_clamp() const { return false; }
 
-  // The views of this frame, one per layer.
+  // The views of this frame: at most layers(); fewer where this frame needs fewer. They see every caster that can shadow a visible
+  // point (a projection that computes its views on the GPU gives a safe first guess here).
   virtual std::vector<ShadowView> views(const Frame& frame, const Light& light) const = 0;
+  // For projections that compute views on the GPU: passes that overwrite `views` (a ShadowMapData, then ShadowViews; device address
+  // in the buffer), from the surface buffer.
+  virtual bool on_gpu() const { return false; }
+  virtual void record_views(Recorder& /*recorder*/, const Frame& /*frame*/, const Light& /*light*/, const Buffer& /*views*/) {}
 };
 
 }  // namespace gnomon

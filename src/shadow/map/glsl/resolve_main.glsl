@@ -3,6 +3,7 @@ layout(buffer_reference, scalar) readonly buffer ProjectionParamsRef { Projectio
 layout(buffer_reference, scalar) readonly buffer FilterParamsRef { FilterParams v; };
 layout(buffer_reference, scalar) readonly buffer BiasParamsRef { BiasParams v; };
 
+layout(constant_id = 0) const uint k_samples = 1;
 layout(push_constant, scalar) uniform Push {
   FrameDataRef frame;
   ShadowViews views;
@@ -15,26 +16,59 @@ layout(push_constant, scalar) uniform Push {
 };
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#ifdef GNOMON_FILTER_FOOTPRINT
+// Where the ray through another pixel meets the receiver's plane, from the receiver; zero where it does not, or almost.
+vec3 to_neighbour(CameraData camera, ivec2 pixel, uint s, Surface surface) {
+  vec3 origin, direction;
+  view_ray(camera, uvec2(pixel), s, origin, direction);
+  float facing = dot(direction, surface.geometric_normal_ws);
+  if (abs(facing) < 1e-3 * length(direction)) return vec3(0.0);
+  return origin + direction * (dot(surface.position_ws - origin, surface.geometric_normal_ws) / facing) - surface.position_ws;
+}
+#endif
+
 float evaluate(uvec2 pixel, uint s) {
   Surface surface;
   if (!load_surface(frame, pixel, s, surface)) return 1.0;
   LightShape shape = frame.v.lights.v[light].shape;
   if (!receives_light(shape, surface.position_ws, surface.geometric_normal_ws)) return 0.0;
-  vec3 to_light = direction_to_light(shape, surface.position_ws);
-  return visibility(views, map_image, projection.v, map_filter.v, bias.v, surface.position_ws, surface.geometric_normal_ws, to_light);
+  Receiver receiver;
+  receiver.position_ws = surface.position_ws;
+  receiver.normal_ws = surface.geometric_normal_ws;
+  receiver.to_light = direction_to_light(shape, surface.position_ws);
+  receiver.pixel_x_ws = receiver.pixel_y_ws = vec3(0.0);
+  receiver.noise = vec2(0.0);
+  receiver.object = 0u;
+#ifdef GNOMON_FILTER_OBJECT
+  uint index = sample_index(frame.v.camera, pixel, s);
+  receiver.object = frame.v.scene.items.v[frame.v.surface.item.v[index]].object + 1u;
+#endif
+#ifdef GNOMON_FILTER_FOOTPRINT
+  receiver.pixel_x_ws = to_neighbour(frame.v.camera, ivec2(pixel) + ivec2(1, 0), s, surface);
+  receiver.pixel_y_ws = to_neighbour(frame.v.camera, ivec2(pixel) + ivec2(0, 1), s, surface);
+#endif
+#ifdef GNOMON_FILTER_NOISE
+  // Interleaved gradient noise (Jimenez 2014), and the same shifted: neighbours differ as much as they can.
+  vec2 at = vec2(pixel) + 0.5;
+  receiver.noise = fract(52.9829189 * fract(vec2(dot(at, vec2(0.06711056, 0.00583715)), dot(at + 47.0, vec2(0.00583715, 0.06711056)))));
+#endif
+  return visibility(views, map_image, projection.v, map_filter.v, bias.v, receiver);
 }
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
   uvec2 size = frame.v.camera.size;
   if (any(greaterThanEqual(pixel, size))) return;
-  uint samples = frame.v.camera.samples;
-  uint share = frame.v.surface.share.v[pixel.y * size.x + pixel.x];
-  uint first = (pixel.y * size.x + pixel.x) * samples;
+  uint index = pixel.y * size.x + pixel.x;
+  if (k_samples == 1u) {
+    mask.v[index] = evaluate(pixel, 0u);
+    return;
+  }
+  uint share = frame.v.surface.share.v[index];
   float values[8];
-  for (uint s = 0u; s < samples; ++s) {
+  for (uint s = 0u; s < k_samples; ++s) {
     uint leader = sharing_sample(share, s);
     values[s] = leader < s ? values[leader] : evaluate(pixel, s);
-    mask.v[first + s] = values[s];
+    mask.v[index * k_samples + s] = values[s];
   }
 }

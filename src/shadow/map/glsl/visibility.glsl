@@ -1,38 +1,87 @@
 // visibility(): the whole map technique as one function, for gnomon's kernel and for any other renderer's forward pass.
-// The includer has defined ProjectionParams, FilterParams, BiasParams, and the two functions
+// The includer has defined ProjectionParams, FilterParams, BiasParams, and the functions
 //   uint project(ShadowViews views, ProjectionParams params, vec3 position_ws, out uint layers[2], out float weights[2])
 //        which layers hold the point (0: outside every layer, which is lit) and how much each counts
 //   float lit(uint map_image, MapSample at, FilterParams params)
+//   float filter_radius(FilterParams params)      texels that the kernel reaches from its middle
 // It needs of the outside world: the bindless set, and the addresses below.
 #ifndef GNOMON_VISIBILITY_GLSL
 #define GNOMON_VISIBILITY_GLSL
 #include "shadow/map/glsl/bias.glsl"
 
-// 1 lit, 0 shadowed. `to_light`: unit.
-float visibility(ShadowViews views, uint map_image, ProjectionParams projection, FilterParams map_filter, BiasParams bias, vec3 position_ws,
-                 vec3 normal_ws, vec3 to_light) {
+// A receiver, as the caller knows it.
+struct Receiver {
+  vec3 position_ws, normal_ws;  // geometric normal, unit
+  vec3 to_light;                // unit
+  vec3 pixel_x_ws, pixel_y_ws;  // from the point to where its neighbouring pixels see the receiver's plane; zero: no mips
+  uint object;                  // index of its object + 1
+  vec2 noise;                   // [0, 1), different in neighbouring pixels
+};
+
+vec2 light_uv(ShadowView view, vec3 position_ws) {
+  vec4 clip = light_clip(view.raster, position_ws);
+  return clip.xy / clip.w * 0.5 + 0.5;
+}
+
+// A paraboloid bends planes: the gradient is a difference of two points of the plane, one pixel of the map apart.
+vec2 paraboloid_gradient(ShadowView view, vec3 position_ws, vec3 normal_ws, float texel_m) {
+  vec3 along = normalize(cross(normal_ws, abs(normal_ws.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
+  vec3 a = light_clip(view.raster, position_ws).xyz;
+  vec3 b = light_clip(view.raster, position_ws + along * texel_m).xyz - a;
+  vec3 c = light_clip(view.raster, position_ws + cross(normal_ws, along) * texel_m).xyz - a;
+  float area = b.x * c.y - b.y * c.x;
+  if (abs(area) < 1e-14) return vec2(0.0);
+  return 2.0 * vec2(b.z * c.y - c.z * b.y, c.z * b.x - b.z * c.x) / area;
+}
+
+MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius, Receiver receiver) {
+  ShadowView view = views.v[layer];
+  MapSample at;
+  at.layer = layer;
+  at.size = view.size;
+  bool projective = view.raster.kind == k_view_projective;
+  float w = projective ? (view.raster.clip_from_world * vec4(receiver.position_ws, 1.0)).w : length(receiver.position_ws - view.origin_ws);
+  at.texel_m = view.texel_m * max(w, 0.0);
+  vec3 moved = biased_position(bias, receiver.position_ws, receiver.normal_ws, receiver.to_light, at.texel_m, radius, layer);
+  vec4 clip = light_clip(view.raster, moved);
+  vec3 ndc = clip.xyz / clip.w;
+  at.uv = ndc.xy * 0.5 + 0.5;
+  // Beyond the far plane compares as the far plane itself: what the map does not reach is lit.
+  at.depth = min(ndc.z, 1.0);
+  at.linear_numerator = view.linear_numerator;
+  at.linear_denominator = view.linear_denominator;
+  at.linear = linear_depth(at.linear_numerator, at.linear_denominator, at.uv, at.depth);
+  at.depth_gradient = at.linear_gradient = vec2(0.0);
+  if (bias.receiver_plane != 0u) {
+    at.depth_gradient = projective ? plane_depth_gradient(view.world_from_clip, moved, receiver.normal_ws)
+                                   : paraboloid_gradient(view, moved, receiver.normal_ws, at.texel_m);
+    // Of a ratio of two affine functions of (u, v, depth).
+    vec4 ndc1 = vec4(ndc.xy, at.depth, 1.0);
+    float below = dot(view.linear_denominator, ndc1);
+    vec4 change = (view.linear_numerator - at.linear * view.linear_denominator) / below;
+    at.linear_gradient = 2.0 * change.xy + change.z * at.depth_gradient;
+  }
+  at.footprint_x = light_uv(view, moved + receiver.pixel_x_ws) - at.uv;
+  at.footprint_y = light_uv(view, moved + receiver.pixel_y_ws) - at.uv;
+  at.depth_range_m = view.depth_range_m;
+  at.depth_near_m = view.depth_near_m;
+  at.emitter_radius = views.map.emitter_radius;
+  at.parallel = views.map.parallel != 0u;
+  at.noise = receiver.noise;
+  at.object = receiver.object;
+  return at;
+}
+
+// 1 lit, 0 shadowed.
+float visibility(ShadowViews views, uint map_image, ProjectionParams projection, FilterParams map_filter, BiasParams bias, Receiver receiver) {
   uint layers[2];
   float weights[2];
-  uint count = project(views, projection, position_ws, layers, weights);
+  uint count = project(views, projection, receiver.position_ws, layers, weights);
   if (count == 0u) return 1.0;
-  vec2 slope = receiver_slope(bias, normal_ws, to_light);
+  float radius = filter_radius(map_filter);
   float sum = 0.0;
   for (uint i = 0u; i < count; ++i) {
-    ShadowView view = views.v[layers[i]];
-    vec3 moved = offset_position(bias, position_ws, normal_ws, slope.x, view.texel_m);
-    vec4 clip = view.clip_from_world * vec4(moved, 1.0);
-    vec3 ndc = clip.xyz / clip.w;
-    MapSample at;
-    at.layer = layers[i];
-    at.uv = ndc.xy * 0.5 + 0.5;
-    // Beyond the far plane compares as the far plane itself: what the map does not reach is lit.
-    at.depth = min(ndc.z, 1.0) - depth_bias_m(bias, slope.y, view.texel_m) / view.depth_range_m;
-    at.depth_m = at.depth * view.depth_range_m;
-    at.texel_m = view.texel_m;
-    at.size = view.size;
-    at.depth_gradient = bias.receiver_plane != 0u ? plane_depth_gradient(view.clip_from_world, normal_ws) : vec2(0.0);
-    at.weight = weights[i];
-    sum += weights[i] * lit(map_image, at, map_filter);
+    sum += weights[i] * lit(map_image, sample_of(views, layers[i], bias, radius, receiver), map_filter);
   }
   return sum;
 }

@@ -7,3 +7,5 @@ float lit(uint map_image, MapSample at, FilterParams params) {
   float stored = texelFetch(images_2d_array[nonuniformEXT(map_image)], ivec3(texel, at.layer), 0).x;
   return stored >= receiver ? 1.0 : 0.0;
 }
+
+float filter_radius(FilterParams params) { return 0.5; }

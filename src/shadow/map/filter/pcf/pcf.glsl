@@ -27,3 +27,5 @@ float lit(uint map_image, MapSample at, FilterParams params) {
   }
   return sum / float(params.size * params.size);
 }
+
+float filter_radius(FilterParams params) { return 0.5 * float(params.size) + (params.bilinear != 0u ? 0.5 : 0.0); }

@@ -2,9 +2,9 @@
 // sample of the caster that a ray through it would be.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "frame/glsl/bindless.glsl"
-#include "frame/glsl/depth_pass.glsl"
 #include "frame/glsl/alpha_test.glsl"
+#include "frame/glsl/bindless.glsl"
+#include "frame/glsl/caster_pass.glsl"
 
 layout(location = 0) in vec2 uv;
 layout(location = 1) flat in uint item_index;

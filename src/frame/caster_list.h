@@ -1,0 +1,28 @@
+// A scene's casters as what culling tests: whole items, or clusters of their triangles.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "frame/glsl/caster_data.glsl"
+#include "gpu/buffer.h"
+
+namespace gnomon {
+
+class GpuScene;
+
+struct CasterList {
+  // Of each bucket: ranges [begin, end).
+  std::array<uint32_t, k_bucket_count> begin = {}, end = {};
+  uint32_t range_count = 0, chunk_count = 0;
+  Buffer ranges, chunks;
+};
+
+// Triangles of a cluster: consecutive ones of the cache-optimised index buffer lie close together.
+inline constexpr uint32_t k_cluster_triangles = 128;
+
+// One range per item that casts, or one per cluster of it. `positions` and `indices` are the scene's, on the CPU.
+CasterList make_caster_list(Device& device, std::span<const DrawItem> items, std::span<const vec3> positions, std::span<const uint32_t> indices,
+                            std::span<const uint32_t> bucket_ends, bool clusters);
+
+}  // namespace gnomon

@@ -1,0 +1,29 @@
+// Copies a triangle into each layer that its draw touches.
+#include "frame/glsl/caster_pass.glsl"
+
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 24) out;  // three for each of k_max_layers
+
+layout(location = 2) flat in uint layer_mask[];
+#ifdef CASTER_ATTRIBUTES
+layout(location = 0) in vec2 uv_in[];
+layout(location = 1) flat in uint item_in[];
+layout(location = 0) out vec2 uv;
+layout(location = 1) flat out uint item_index;
+#endif
+
+void main() {
+  for (uint layer = 0u; layer < pass.layers; ++layer) {
+    if ((layer_mask[0] & (1u << layer)) == 0u) continue;
+    for (int i = 0; i < 3; ++i) {
+      gl_Layer = int(layer);
+      gl_Position = clip_in_layer(layer, gl_in[i].gl_Position.xyz);
+#ifdef CASTER_ATTRIBUTES
+      uv = uv_in[i];
+      item_index = item_in[i];
+#endif
+      EmitVertex();
+    }
+    EndPrimitive();
+  }
+}

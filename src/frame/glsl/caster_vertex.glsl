@@ -1,0 +1,31 @@
+// The vertex shader of casters. The including file says how layers are reached (CASTER_PER_LAYER, CASTER_VERTEX_LAYER,
+// CASTER_GEOMETRY, CASTER_MULTIVIEW), and with CASTER_ATTRIBUTES that a fragment shader wants uv and item.
+#include "frame/glsl/caster_pass.glsl"
+
+#ifdef CASTER_ATTRIBUTES
+layout(location = 0) out vec2 uv;
+layout(location = 1) flat out uint item_index;
+#endif
+#ifdef CASTER_GEOMETRY
+layout(location = 2) flat out uint layer_mask;
+#endif
+
+void main() {
+  uint item = item_of(gl_InstanceIndex);
+  vec3 position_ws = to_world(pass.scene.items.v[item], pass.scene.positions.v[gl_VertexIndex]);
+#ifdef CASTER_ATTRIBUTES
+  uv = pass.scene.attributes.v[gl_VertexIndex].uv;
+  item_index = item;
+#endif
+#if defined(CASTER_PER_LAYER)
+  gl_Position = clip_in_layer(0u, position_ws);
+#elif defined(CASTER_VERTEX_LAYER)
+  gl_Layer = int(tag_of(gl_InstanceIndex));
+  gl_Position = clip_in_layer(tag_of(gl_InstanceIndex), position_ws);
+#elif defined(CASTER_MULTIVIEW)
+  gl_Position = clip_in_layer(gl_ViewIndex, position_ws);
+#else
+  layer_mask = tag_of(gl_InstanceIndex);
+  gl_Position = vec4(position_ws, 1.0);
+#endif
+}

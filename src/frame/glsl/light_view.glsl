@@ -1,0 +1,43 @@
+// How a layer of a shadow map is drawn: what the raster and the culling of casters know of a projection.
+#ifndef GNOMON_LIGHT_VIEW_GLSL
+#define GNOMON_LIGHT_VIEW_GLSL
+#include "base/glsl/shared.glsl"
+#ifdef __cplusplus
+namespace gnomon {
+#endif
+
+shared_constant uint k_view_projective = 0u;  // clip_from_world says all
+// One half of all directions around a point onto a disc (Brabec, Annen and Seidel 2002): clip_from_world is a rigid transform to
+// the light's axes (the half space looks along +z), depth is the distance.
+shared_constant uint k_view_paraboloid = 1u;
+
+struct LightView {
+  mat4 clip_from_world;
+  uint kind;     // k_view_*
+  float near_m;  // paraboloid: distances at depth 0 and 1
+  float far_m;
+  uint in_use;   // 0: this frame does not need the layer; nothing is drawn into it
+};
+
+// Position in the view's clip space; depth runs from 0 (near the light) to 1.
+inline_function vec4 light_clip(LightView view, vec3 position_ws) {
+  vec4 p = view.clip_from_world * vec4(position_ws, 1.0f);
+  if (view.kind == k_view_projective) return p;
+  float distance_m = length(vec3(p.x, p.y, p.z));
+  // (x, y) / (distance + z): the disc's rim holds the directions across the axis. w = 1: lines become arcs only between vertices.
+  float scale = 1.0f / max(distance_m + p.z, 1e-4f * distance_m + 1e-20f);
+  return vec4(p.x * scale, p.y * scale, (distance_m - view.near_m) / (view.far_m - view.near_m), 1.0f);
+}
+
+#ifdef __cplusplus
+}  // namespace gnomon
+#else
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+// One view; a map's views lie a stride apart.
+layout(buffer_reference, scalar) readonly buffer LightViewRef { LightView v; };
+LightViewRef light_view(uint64_t first, uint stride, uint layer) { return LightViewRef(first + uint64_t(stride) * layer); }
+#endif
+
+#endif

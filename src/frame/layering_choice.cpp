@@ -1,0 +1,55 @@
+// A file of one line for each device: "device|driver version|path".
+#include "frame/layering_choice.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+namespace gnomon {
+namespace {
+
+std::filesystem::path cache_file() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  if (cache && *cache) return std::filesystem::path(cache) / "gnomon" / "layering";
+  return home && *home ? std::filesystem::path(home) / ".cache" / "gnomon" / "layering" : std::filesystem::path();
+}
+
+std::string key_of(const DeviceInfo& device) { return device.name + "|" + device.driver_version; }
+
+std::map<std::string, std::string> read_cache() {
+  std::map<std::string, std::string> lines;
+  std::ifstream file(cache_file());
+  for (std::string line; std::getline(file, line);) {
+    if (const size_t bar = line.rfind('|'); bar != line.npos) lines[line.substr(0, bar)] = line.substr(bar + 1);
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::optional<LayeringPath> measured_layering_path(const DeviceInfo& device) {
+  const auto lines = read_cache();
+  const auto found = lines.find(key_of(device));
+  if (found == lines.end()) return std::nullopt;
+  for (const auto path : {LayeringPath::per_layer, LayeringPath::vertex_layer, LayeringPath::geometry, LayeringPath::multiview}) {
+    if (layering_path_name(path) == found->second && layering_path_missing(device, path).empty()) return path;
+  }
+  return std::nullopt;
+}
+
+// A cache that cannot be written is none: the next run measures again.
+void store_layering_path(const DeviceInfo& device, LayeringPath path) {
+  auto lines = read_cache();
+  lines[key_of(device)] = layering_path_name(path);
+  std::error_code ignored;
+  std::filesystem::create_directories(cache_file().parent_path(), ignored);
+  std::ofstream file(cache_file());
+  for (const auto& [key, value] : lines) file << key << '|' << value << '\n';
+}
+
+LayeringPath fastest_layering_path(const DeviceInfo& device) { return measured_layering_path(device).value_or(LayeringPath::per_layer); }
+
+}  // namespace gnomon

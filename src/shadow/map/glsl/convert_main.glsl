@@ -1,0 +1,109 @@
+// Encodes the depth map and blurs it: a work group loads a tile with an apron of the radius, encodes it into shared memory, blurs rows,
+// then columns, and writes each texel once. The includer has defined
+//   #define MOMENTS float | vec2 | vec3 | vec4           what a texel stores
+//   MOMENTS encode(float linear, vec2 slope, FilterParams params)   linear depth [0, 1]; its change from this texel to the next
+//   vec4 stored(MOMENTS blurred, FilterParams params)    what goes into the image
+// and optionally
+//   #define MOMENTS_NEED_SLOPE                           slope is then filled (it costs two more reads)
+//   #define MOMENTS_LOG                                  MOMENTS is a float that holds a logarithm: exponentials are summed
+layout(buffer_reference, scalar) readonly buffer FilterParamsRef { FilterParams v; };
+layout(push_constant, scalar) uniform Push {
+  ShadowViews views;
+  FilterParamsRef map_filter;
+  uint depth_image, target, size, unused;
+  float weights[11];
+};
+layout(constant_id = 0) const uint k_samples = 1;
+layout(constant_id = 1) const int k_radius = 0;
+layout(constant_id = 2) const int k_tile = 32;
+layout(local_size_x = 256) in;
+
+const int k_side = k_tile + 2 * k_radius;
+shared MOMENTS encoded[k_radius == 0 ? 1 : k_side * k_side];
+shared MOMENTS rows[k_radius == 0 ? 1 : k_tile * k_side];
+
+float linear_at(ivec2 texel, uint layer, int s) {
+  ivec2 inside = clamp(texel, ivec2(0), ivec2(int(size) - 1));
+  float depth = k_samples == 1u ? texelFetch(images_2d_array[depth_image], ivec3(inside, layer), 0).x
+                                : texelFetch(images_2d_ms_array[depth_image], ivec3(inside, layer), s).x;
+  vec2 uv = (vec2(inside) + 0.5) / float(size);
+  return clamp(linear_depth(views.v[layer].linear_numerator, views.v[layer].linear_denominator, uv, depth), 0.0, 1.0);
+}
+
+MOMENTS encode_texel(ivec2 texel, uint layer) {
+  FilterParams params = map_filter.v;
+  MOMENTS sum;
+  for (int s = 0; s < int(k_samples); ++s) {
+    float z = linear_at(texel, layer, s);
+    vec2 slope = vec2(0.0);
+#ifdef MOMENTS_NEED_SLOPE
+    // Against a silhouette the smaller difference of the two sides is the surface's own.
+    vec2 ahead = vec2(linear_at(texel + ivec2(1, 0), layer, s), linear_at(texel + ivec2(0, 1), layer, s)) - z;
+    vec2 behind = z - vec2(linear_at(texel - ivec2(1, 0), layer, s), linear_at(texel - ivec2(0, 1), layer, s));
+    slope = mix(ahead, behind, lessThan(abs(behind), abs(ahead)));
+#endif
+    MOMENTS one = encode(z, slope, params);
+#ifdef MOMENTS_LOG
+    sum = s == 0 ? one : max(sum, one) + log(1.0 + exp(-abs(sum - one)));
+#else
+    sum = s == 0 ? one : sum + one;
+#endif
+  }
+#ifdef MOMENTS_LOG
+  return sum - log(float(k_samples));
+#else
+  return sum / float(k_samples);
+#endif
+}
+
+// The weighted sum of 2 radius + 1 entries `stride` apart.
+#define BLUR(source, middle, stride, result)                                                          \
+  {                                                                                                   \
+    MOMENTS first = source[middle];                                                                   \
+    result = BLUR_FIRST(first);                                                                       \
+    for (int i = 1; i <= k_radius; ++i) {                                                             \
+      result += weights[i] * (BLUR_TERM(source[middle - i * (stride)], first) + BLUR_TERM(source[middle + i * (stride)], first)); \
+    }                                                                                                 \
+    result = BLUR_LAST(result, first);                                                                \
+  }
+#ifdef MOMENTS_LOG
+// sum w exp(x) = exp(x0) sum w exp(x - x0): no exponential leaves the range of floats, for differences below 88.
+#define BLUR_FIRST(first) weights[0]
+#define BLUR_TERM(x, first) exp(min((x) - first, 80.0))
+#define BLUR_LAST(sum, first) (first + log(sum))
+#else
+#define BLUR_FIRST(first) (weights[0] * first)
+#define BLUR_TERM(x, first) (x)
+#define BLUR_LAST(sum, first) (sum)
+#endif
+
+void main() {
+  uint layer = gl_WorkGroupID.z;
+  if (views.v[layer].raster.in_use == 0u) return;
+  FilterParams params = map_filter.v;
+  int lane = int(gl_LocalInvocationIndex);
+  ivec2 origin = ivec2(gl_WorkGroupID.xy) * k_tile;
+  if (k_radius == 0) {
+    for (int i = lane; i < k_tile * k_tile; i += 256) {
+      ivec2 texel = origin + ivec2(i % k_tile, i / k_tile);
+      if (all(lessThan(texel, ivec2(size)))) imageStore(storage_images[target], ivec3(texel, layer), stored(encode_texel(texel, layer), params));
+    }
+    return;
+  }
+  for (int i = lane; i < k_side * k_side; i += 256) encoded[i] = encode_texel(origin - k_radius + ivec2(i % k_side, i / k_side), layer);
+  barrier();
+  for (int i = lane; i < k_tile * k_side; i += 256) {
+    int middle = (i / k_tile) * k_side + i % k_tile + k_radius;
+    MOMENTS result;
+    BLUR(encoded, middle, 1, result)
+    rows[i] = result;
+  }
+  barrier();
+  for (int i = lane; i < k_tile * k_tile; i += 256) {
+    ivec2 texel = origin + ivec2(i % k_tile, i / k_tile);
+    int middle = (i / k_tile + k_radius) * k_tile + i % k_tile;
+    MOMENTS result;
+    BLUR(rows, middle, k_tile, result)
+    if (all(lessThan(texel, ivec2(size)))) imageStore(storage_images[target], ivec3(texel, layer), stored(result, params));
+  }
+}

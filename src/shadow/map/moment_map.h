@@ -1,0 +1,41 @@
+// A filterable map made from the depth map: encoded and blurred in one compute pass, then mipmapped.
+#pragma once
+
+#include "shadow/map/filter.h"
+
+namespace gnomon {
+
+struct MomentMapInfo {
+  std::string filter;            // id: the kernel is convert/<filter>.comp
+  VkFormat format = VK_FORMAT_R32_SFLOAT;
+  uint32_t channels = 1;         // of the kernel's MOMENTS type
+  uint32_t depth_samples = 1;
+  bool mips = false;
+};
+
+enum class BlurShape { gaussian, box };
+
+class MomentMap {
+ public:
+  static constexpr uint32_t k_max_radius = 10;  // texels
+
+  MomentMap() = default;
+  MomentMap(Device& device, const MapInfo& map, const MomentMapInfo& info);
+
+  // radius 0: the encoded texels themselves. Gaussian weights are the middle 2 radius + 1 entries of row 6 radius of Pascal's
+  // triangle, normalised (radius 2: row 12).
+  void record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius, BlurShape shape = BlurShape::gaussian);
+  const Image& image() const { return image_; }
+
+ private:
+  Pipeline make_convert(uint32_t radius) const;
+
+  Device* device_ = nullptr;
+  std::string name_;
+  MomentMapInfo info_;
+  Image image_;
+  uint32_t radius_ = ~0u, tile_ = 32;
+  Pipeline convert_, mip_;
+};
+
+}  // namespace gnomon
