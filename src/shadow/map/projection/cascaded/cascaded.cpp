@@ -1,0 +1,179 @@
+// Cascaded shadow maps (Engel 2006; Zhang et al. 2006, parallel-split shadow maps; Dimitrov 2007): the view is cut into slices, each
+// with a map of its own, so that texels grow with the distance from the viewer as pixels do.
+#include <algorithm>
+#include <cmath>
+
+#include "shadow/map/light_views.h"
+#include "shadow/map/splits.h"
+#include "shadow/registry.h"
+
+namespace gnomon {
+namespace {
+
+#include "shadow/technique_params.h"
+
+constexpr const char* k_manual =
+    "Several maps, each of a slice of the view, so that texels grow with distance as pixels do.\n"
+    "Zhang et al. 2006; Dimitrov 2007. Slices end at uniform, logarithmic, mixed (cascaded.lambda) or given distances. fit=sphere with\n"
+    "stabilise keeps every edge still while the viewer moves; fit=box wastes fewer texels and shimmers. One depth pass for each\n"
+    "cascade, less what culling leaves out. Seams between cascades show where the filter's width jumps: raise cascaded.blend.\n"
+    "selection=map takes the finest map that holds a point, which is often finer than that of its distance.";
+
+struct Sphere {
+  vec3 centre;
+  float radius;
+};
+
+// Of the view between two distances. From the numbers of the lens alone, so that it is the same bits wherever the camera stands.
+Sphere slice_sphere(const CameraData& camera, float from, float to) {
+  const float kx = glm::dot(camera.right_ws, camera.right_ws), ky = glm::dot(camera.up_ws, camera.up_ws);
+  const float k2 = kx + ky;  // of the tangent from the axis to a corner; orthographic: of the metres
+  if (camera.orthographic) return {camera.eye_ws + camera.forward_ws * (0.5f * (from + to)), std::sqrt(k2 + 0.25f * (to - from) * (to - from))};
+  const float centre = std::min(0.5f * (from + to) * (1.0f + k2), to);
+  const float radius = std::sqrt((to - centre) * (to - centre) + to * to * k2);
+  return {camera.eye_ws + camera.forward_ws * centre, radius};
+}
+
+class Cascaded : public Projection {
+ public:
+  explicit Cascaded(const ParamBlock& params) { set(params); }
+  void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
+  uint32_t map_size() const override { return static_cast<uint32_t>(params_.size); }
+  uint32_t layers() const override { return static_cast<uint32_t>(params_.count); }
+  bool depth_clamp() const override { return params_.near == near_clamp; }
+
+  std::vector<ShadowView> views(const Frame& frame, const Light& light) const override {
+    const LightFrame light_frame(light.direction);
+    Bounds bounds = {light_frame.bounds(frame.scene().bounds()), light_frame.bounds(frame.scene().caster_bounds())};
+    // What stands behind a projector shadows nothing.
+    if (light.kind == LightKind::projector) bounds.casters.min.z = std::max(bounds.casters.min.z, light_frame.to_light(light.position).z);
+    uint32_t count = layers();
+    const Splits splits = find_splits(frame, count);
+    std::vector<ShadowView> views;
+    for (uint32_t i = 0; i < count; ++i) {
+      ShadowView view = params_.fit == fit_sphere ? sphere_view(frame, light_frame, bounds, splits[i], splits[i + 1])
+                                                  : box_view(frame, light, light_frame, bounds, splits[i], splits[i + 1]);
+      view.interval_m = vec2(i == 0 ? 0.0f : splits[i], splits[i + 1]);
+      view.border = params_.border;
+      views.push_back(view);
+    }
+    return views;
+  }
+
+ private:
+  struct Bounds {
+    Box scene, casters;  // in light space
+  };
+
+  // Distances between which the view is cut: {near, far}. Independent of where the camera stands within the scene, or in steps.
+  std::pair<float, float> distance_range(const Frame& frame) const {
+    const CameraData& camera = frame.camera();
+    float far = std::min(camera.far_m, std::max(2.0f * frame.scene().bounds().radius(), frame.visible_range().second));
+    if (params_.distance > 0.0f) far = params_.distance;
+    far = std::max(far, camera.near_m * 1.01f);
+    return {std::max(camera.near_m, far * 1e-5f), far};
+  }
+
+  // The farthest a caster can be seen, rounded up in steps of the square root of two, so that maps keep their size while the viewer
+  // moves a little.
+  float needed_distance(const Frame& frame, float near, float far) const {
+    float farthest = near;
+    for (int i = 0; i < 8; ++i) {
+      farthest = std::max(farthest, glm::dot(frame.scene().bounds().corner(i) - frame.camera().eye_ws, frame.camera().forward_ws));
+    }
+    float distance = far;
+    while (distance * 0.70710678f > farthest && distance * 0.70710678f > near * 2.0f) distance *= 0.70710678f;
+    return distance;
+  }
+
+  // Worst-case splits decide how many cascades this frame needs; these then share what is needed (Zhang et al. 2006, section 4.2).
+  Splits find_splits(const Frame& frame, uint32_t& count) const {
+    const auto [near, far] = distance_range(frame);
+    float needed = far;
+    if (params_.adapt) {
+      needed = needed_distance(frame, near, far);
+      uint32_t used = 1;
+      while (used < count && split_at(near, far, used, count) < needed) ++used;
+      count = used;
+    }
+    Splits splits = {};
+    float last = near;
+    for (uint32_t i = 0; i <= count; ++i) splits[i] = last = std::max(split_at(near, needed, i, count), last);
+    return splits;
+  }
+
+  float split_at(float near, float far, uint32_t i, uint32_t count) const {
+    if (i == 0) return near;
+    if (i == count) return far;
+    switch (params_.split) {
+      case split_uniform: return mixed_split(near, far, i, count, 0.0f);
+      case split_logarithmic: return mixed_split(near, far, i, count, 1.0f);
+      case split_manual: {
+        const float ends[] = {params_.split_1, params_.split_2, params_.split_3};
+        const float end = near + (far - near) * ends[std::min(i, 3u) - 1];
+        return i <= 3 ? end : mixed_split(end, far, i - 3, count - 3, 1.0f);
+      }
+      default: return mixed_split(near, far, i, count, params_.lambda);
+    }
+  }
+
+  // A depth range that the depth clamp shortens at its near end.
+  std::pair<float, float> depths(const Bounds& bounds, float slice_near, float slice_far) const {
+    Box receivers = bounds.scene;
+    receivers.max.z = std::min(receivers.max.z, std::max(slice_far, bounds.scene.min.z));
+    Box casters = bounds.casters;
+    if (params_.near == near_clamp) casters.min.z = std::max(casters.min.z, std::min(slice_near, receivers.max.z));
+    return depth_range(casters, receivers);
+  }
+
+  ShadowView sphere_view(const Frame& frame, const LightFrame& light_frame, const Bounds& bounds, float from, float to) const {
+    const Sphere sphere = slice_sphere(frame.camera(), from, to);
+    vec3 centre = light_frame.to_light(sphere.centre - frame.camera().forward_ws * (params_.offset * sphere.radius));
+    const float size = static_cast<float>(params_.size);
+    const float half = sphere.radius * size / std::max(size - 2.0f * params_.border, 1.0f);
+    if (params_.stabilise) {
+      // Whole texels of the world: the map's grid stays where it was (Valient 2008). Along the light too: depths keep their rounding.
+      const double texel = 2.0 * static_cast<double>(half) / static_cast<double>(size);
+      for (int axis = 0; axis < 3; ++axis) centre[axis] = static_cast<float>(std::round(static_cast<double>(centre[axis]) / texel) * texel);
+    }
+    Box fit;
+    fit.min = centre - vec3(half), fit.max = centre + vec3(half);
+    const auto [near, far] = depths(bounds, centre.z - half, centre.z + half);
+    return orthographic_view(light_frame, fit, near, far, map_size());
+  }
+
+  ShadowView box_view(const Frame& frame, const Light& light, const LightFrame& light_frame, const Bounds& bounds, float from, float to) const {
+    Box fit;
+    for (const vec3& corner : slice_corners(frame.camera(), from, to)) fit.add(light_frame.to_light(corner));
+    const auto [near, far] = depths(bounds, fit.min.z, fit.max.z);
+    // Only what is lit by the beam, belongs to the scene and lies behind a caster can be shadowed.
+    clip_to_beam(light_frame, light, fit);
+    for (int axis = 0; axis < 2; ++axis) {
+      fit.min[axis] = std::max(fit.min[axis], std::max(bounds.scene.min[axis], bounds.casters.min[axis]));
+      fit.max[axis] = std::min(fit.max[axis], std::min(bounds.scene.max[axis], bounds.casters.max[axis]));
+    }
+    add_border(fit, map_size(), params_.border);
+    if (params_.stabilise) {
+      for (int axis = 0; axis < 2; ++axis) {
+        // Sizes in steps of an eighth, so that a texel is the same over many frames.
+        const float extent = std::max(fit.max[axis] - fit.min[axis], 1e-3f);
+        const float step = std::exp2(std::floor(std::log2(extent))) / 8.0f;
+        const float rounded = (std::floor(extent / step) + 2.0f) * step, texel = rounded / static_cast<float>(params_.size);
+        fit.min[axis] = std::floor(fit.min[axis] / texel) * texel;
+        fit.max[axis] = fit.min[axis] + rounded;
+      }
+    }
+    return orthographic_view(light_frame, fit, near, far, map_size());
+  }
+
+  Params params_;
+};
+
+}  // namespace
+
+GNOMON_REGISTER(projection, Projection) {
+  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), {LightKind::directional, LightKind::projector},
+          [](const ParamBlock& params) -> std::unique_ptr<Projection> { return std::make_unique<Cascaded>(params); }};
+}
+
+}  // namespace gnomon
