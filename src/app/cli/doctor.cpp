@@ -4,6 +4,8 @@
 #include <iostream>
 
 #include "app/cli/command.h"
+#include "frame/layering_choice.h"
+#include "lab/measure_layering.h"
 
 namespace gnomon::cli {
 namespace {
@@ -30,8 +32,20 @@ void print_device(const DeviceInfo& info) {
   print("pipeline statistics", either(info.pipeline_statistics, "yes", "no: triangles are counted on the CPU"));
   print("layer from vertex", either(info.vertex_layer, "yes", "no"));
   print("multiview", either(info.multiview, "yes", "no"));
+  print("geometry shader", either(info.geometry_shader, "yes", "no"));
   print("mesh shaders", either(info.mesh_shader, "yes (unused)", "no"));
   print("ray queries", either(info.ray_query, "yes (unused: the pipeline is the common denominator)", "no (not needed)"));
+}
+
+// Measured anew: what is stored may be from before the machine changed.
+void print_layering(Device& device) {
+  std::vector<std::string> times;
+  for (const LayeringTime& time : measure_layering(device)) {
+    times.push_back(time.missing.empty() ? fmt::format("{} {:.2f} ms", layering_path_name(time.path), time.ms)
+                                         : fmt::format("{} lacks {}", layering_path_name(time.path), time.missing));
+  }
+  print("layers of a map", fmt::format("{} (four cascades of the courtyard: {})", layering_path_name(fastest_layering_path(device.info())),
+                                       fmt::join(times, ", ")));
 }
 
 }  // namespace
@@ -41,6 +55,7 @@ void add_doctor(CLI::App& app, const Globals& globals) {
   command->callback([&globals] {
     const auto device = globals.open_device();
     print_device(device->info());
+    print_layering(*device);
     device->check_validation();
     std::cout << "All required features are present.\n";
   });
