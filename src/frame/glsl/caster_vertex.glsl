@@ -23,7 +23,9 @@ void main() {
   gl_Layer = int(tag_of(gl_InstanceIndex));
   gl_Position = clip_in_layer(tag_of(gl_InstanceIndex), position_ws);
 #elif defined(CASTER_MULTIVIEW)
-  gl_Position = clip_in_layer(gl_ViewIndex, position_ws);
+  // Draws go into every layer, also one that this frame does not need: triangles without area leave it empty.
+  LightView view = light_view(pass.views, pass.stride, gl_ViewIndex).v;
+  gl_Position = view.in_use != 0u ? light_clip(view, position_ws) : vec4(2.0, 2.0, 2.0, 1.0);
 #else
   layer_mask = tag_of(gl_InstanceIndex);
   gl_Position = vec4(position_ws, 1.0);
