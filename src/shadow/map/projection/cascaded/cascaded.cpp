@@ -34,6 +34,14 @@ Sphere slice_sphere(const CameraData& camera, float from, float to) {
   return {camera.eye_ws + camera.forward_ws * centre, radius};
 }
 
+// The next number with eight significant bits: multiples of it are exact in floats, and it is the same however the last bits of the
+// camera's axes fall.
+float with_few_bits(float value) {
+  int exponent = 0;
+  const float mantissa = std::frexp(value * (1.0f + 1e-5f), &exponent);
+  return std::ldexp(std::ceil(mantissa * 256.0f) / 256.0f, exponent);
+}
+
 class Cascaded : public Projection {
  public:
   explicit Cascaded(const ParamBlock& params) { set(params); }
@@ -130,11 +138,12 @@ class Cascaded : public Projection {
     const Sphere sphere = slice_sphere(frame.camera(), from, to);
     vec3 centre = light_frame.to_light(sphere.centre - frame.camera().forward_ws * (params_.offset * sphere.radius));
     const float size = static_cast<float>(params_.size);
-    const float half = sphere.radius * size / std::max(size - 2.0f * params_.border, 1.0f);
+    float half = sphere.radius * size / std::max(size - 2.0f * params_.border, 1.0f);
     if (params_.stabilise) {
       // Whole texels of the world: the map's grid stays where it was (Valient 2008). Along the light too: depths keep their rounding.
-      const double texel = 2.0 * static_cast<double>(half) / static_cast<double>(size);
-      for (int axis = 0; axis < 3; ++axis) centre[axis] = static_cast<float>(std::round(static_cast<double>(centre[axis]) / texel) * texel);
+      const float texel = with_few_bits(2.0f * half / size);
+      half = 0.5f * texel * size;
+      for (int axis = 0; axis < 3; ++axis) centre[axis] = std::round(centre[axis] / texel) * texel;
     }
     Box fit;
     fit.min = centre - vec3(half), fit.max = centre + vec3(half);
