@@ -35,8 +35,8 @@ inline_function vec4 light_clip(LightView view, vec3 position_ws) {
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
-// One view; a map's views lie a stride apart.
-layout(buffer_reference, scalar) readonly buffer LightViewRef { LightView v; };
+// One view; a map's views lie a stride apart, a multiple of 16 bytes: drivers read vectors at once where they may.
+layout(buffer_reference, scalar, buffer_reference_align = 16) readonly buffer LightViewRef { LightView v; };
 LightViewRef light_view(uint64_t first, uint stride, uint layer) { return LightViewRef(first + uint64_t(stride) * layer); }
 #endif
 

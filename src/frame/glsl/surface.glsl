@@ -21,17 +21,20 @@ void view_ray(CameraData camera, uvec2 pixel, uint s, out vec3 origin, out vec3 
   direction = camera.orthographic != 0u ? camera.forward_ws : camera.forward_ws + sideways;
 }
 
-// False where the camera sees the sky.
-bool load_surface(FrameDataRef frame, uvec2 pixel, uint s, out Surface surface) {
-  uint index = sample_index(frame.v.camera, pixel, s);
-  float z = frame.v.surface.view_z.v[index];
+// False where the camera sees the sky. `camera` and `data` are the frame's: a kernel that loads several samples reads them once.
+bool load_surface(CameraData camera, SurfaceData data, uvec2 pixel, uint s, out Surface surface) {
+  uint index = sample_index(camera, pixel, s);
+  float z = data.view_z.v[index];
   if (z <= 0.0) return false;
   vec3 origin, direction;
-  view_ray(frame.v.camera, pixel, s, origin, direction);
+  view_ray(camera, pixel, s, origin, direction);
   surface.position_ws = origin + z * direction;
-  surface.geometric_normal_ws = unpack_normal(frame.v.surface.geometric_normal.v[index]);
-  surface.eye_distance = length(surface.position_ws - frame.v.camera.eye_ws);
+  surface.geometric_normal_ws = unpack_normal(data.geometric_normal.v[index]);
+  surface.eye_distance = length(surface.position_ws - camera.eye_ws);
   return true;
+}
+bool load_surface(FrameDataRef frame, uvec2 pixel, uint s, out Surface surface) {
+  return load_surface(frame.v.camera, frame.v.surface, pixel, s, surface);
 }
 
 // The first sample of the pixel whose answer sample `s` shares (itself where the two lie on different surfaces).

@@ -10,8 +10,8 @@
 namespace gnomon {
 namespace {
 
-// The GLSL structs end in `uint table_end`.
-size_t block_bytes(const ParamBlock& block) { return block.words().size_bytes() + sizeof(uint32_t); }
+// The GLSL structs end in `uint table_end`; shaders take each block's address for a multiple of 16.
+size_t block_bytes(const ParamBlock& block) { return (block.words().size_bytes() + sizeof(uint32_t) + 15) / 16 * 16; }
 
 LayeringPath chosen_path(const submission_params::Params& params, const DeviceInfo& device) {
   if (params.path == submission_params::path_automatic) return fastest_layering_path(device);
@@ -138,7 +138,7 @@ void MapTechnique::record_resolve(Recorder& recorder, const Frame& frame, size_t
   recorder.pass(name_ + "/resolve", PassStage::resolve, uses, [&](Commands& commands) {
     commands.bind(resolve_);
     commands.push(arguments);
-    commands.dispatch(frame.size(), {8, 8});
+    commands.dispatch(frame.size(), {16, 16});  // a group's tile
   });
 }
 

@@ -24,6 +24,7 @@ struct ShadowView {
   float size;               // texels along a side
   float border;             // texels at each edge that only wide kernels may read
   vec2 interval_m;          // distances along the viewer's axis that the layer is fitted to
+  vec2 unused;
 };
 
 // What all layers share.
@@ -36,6 +37,7 @@ struct ShadowMapData {
 };
 
 #ifdef __cplusplus
+static_assert(sizeof(ShadowView) % 16 == 0 && sizeof(ShadowMapData) % 16 == 0, "shaders address them in units of 16 bytes");
 }  // namespace gnomon
 #else
 layout(buffer_reference, scalar) readonly buffer ShadowViews {

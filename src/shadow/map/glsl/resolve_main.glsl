@@ -27,48 +27,71 @@ vec3 to_neighbour(CameraData camera, ivec2 pixel, uint s, Surface surface) {
 }
 #endif
 
-float evaluate(uvec2 pixel, uint s) {
+// What all pixels share, read once: a thread handles four of them, because these reads would else cost more than the pixel's own.
+struct Uniforms {
+  CameraData camera;
+  SurfaceData surface;
+  LightShape shape;
+  ProjectionParams projection;
+  FilterParams map_filter;
+  BiasParams bias;
+};
+
+float evaluate(Uniforms uniforms, uvec2 pixel, uint s) {
   Surface surface;
-  if (!load_surface(frame, pixel, s, surface)) return 1.0;
-  LightShape shape = frame.v.lights.v[light].shape;
-  if (!receives_light(shape, surface.position_ws, surface.geometric_normal_ws)) return 0.0;
+  if (!load_surface(uniforms.camera, uniforms.surface, pixel, s, surface)) return 1.0;
+  if (!receives_light(uniforms.shape, surface.position_ws, surface.geometric_normal_ws)) return 0.0;
   Receiver receiver;
   receiver.position_ws = surface.position_ws;
   receiver.normal_ws = surface.geometric_normal_ws;
-  receiver.to_light = direction_to_light(shape, surface.position_ws);
+  receiver.to_light = direction_to_light(uniforms.shape, surface.position_ws);
   receiver.pixel_x_ws = receiver.pixel_y_ws = vec3(0.0);
   receiver.noise = vec2(0.0);
   receiver.object = 0u;
 #ifdef GNOMON_FILTER_OBJECT
-  uint index = sample_index(frame.v.camera, pixel, s);
-  receiver.object = frame.v.scene.items.v[frame.v.surface.item.v[index]].object + 1u;
+  uint index = sample_index(uniforms.camera, pixel, s);
+  receiver.object = frame.v.scene.items.v[uniforms.surface.item.v[index]].object + 1u;
 #endif
 #ifdef GNOMON_FILTER_FOOTPRINT
-  receiver.pixel_x_ws = to_neighbour(frame.v.camera, ivec2(pixel) + ivec2(1, 0), s, surface);
-  receiver.pixel_y_ws = to_neighbour(frame.v.camera, ivec2(pixel) + ivec2(0, 1), s, surface);
+  receiver.pixel_x_ws = to_neighbour(uniforms.camera, ivec2(pixel) + ivec2(1, 0), s, surface);
+  receiver.pixel_y_ws = to_neighbour(uniforms.camera, ivec2(pixel) + ivec2(0, 1), s, surface);
 #endif
 #ifdef GNOMON_FILTER_NOISE
   // Interleaved gradient noise (Jimenez 2014), and the same shifted: neighbours differ as much as they can.
   vec2 at = vec2(pixel) + 0.5;
   receiver.noise = fract(52.9829189 * fract(vec2(dot(at, vec2(0.06711056, 0.00583715)), dot(at + 47.0, vec2(0.00583715, 0.06711056)))));
 #endif
-  return visibility(views, map_image, projection.v, map_filter.v, bias.v, receiver);
+  return visibility(views, map_image, uniforms.projection, uniforms.map_filter, uniforms.bias, receiver);
 }
 
-void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  uvec2 size = frame.v.camera.size;
-  if (any(greaterThanEqual(pixel, size))) return;
-  uint index = pixel.y * size.x + pixel.x;
+void resolve_pixel(Uniforms uniforms, uvec2 pixel) {
+  uint index = pixel.y * uniforms.camera.size.x + pixel.x;
   if (k_samples == 1u) {
-    mask.v[index] = evaluate(pixel, 0u);
+    mask.v[index] = evaluate(uniforms, pixel, 0u);
     return;
   }
-  uint share = frame.v.surface.share.v[index];
+  uint share = uniforms.surface.share.v[index];
   float values[8];
   for (uint s = 0u; s < k_samples; ++s) {
     uint leader = sharing_sample(share, s);
-    values[s] = leader < s ? values[leader] : evaluate(pixel, s);
+    values[s] = leader < s ? values[leader] : evaluate(uniforms, pixel, s);
     mask.v[index * k_samples + s] = values[s];
+  }
+}
+
+void main() {
+  Uniforms uniforms;
+  uniforms.camera = frame.v.camera;
+  uniforms.camera.samples = k_samples;
+  uniforms.surface = frame.v.surface;
+  uniforms.shape = frame.v.lights.v[light].shape;
+  uniforms.projection = projection.v;
+  uniforms.map_filter = map_filter.v;
+  uniforms.bias = bias.v;
+  // A group's tile is 16 x 16 pixels: four of 8 x 8.
+  uvec2 first = gl_WorkGroupID.xy * 16u + gl_LocalInvocationID.xy;
+  for (uint i = 0u; i < 4u; ++i) {
+    uvec2 pixel = first + 8u * uvec2(i & 1u, i >> 1u);
+    if (all(lessThan(pixel, uniforms.camera.size))) resolve_pixel(uniforms, pixel);
   }
 }
