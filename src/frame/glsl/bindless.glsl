@@ -12,6 +12,7 @@ layout(set = 1, binding = 0) uniform texture2DMS images_2d_ms[];
 layout(set = 1, binding = 0) uniform texture2DMSArray images_2d_ms_array[];
 layout(set = 1, binding = 0) uniform utexture2DArray images_2d_array_uint[];
 layout(set = 1, binding = 1) uniform image2DArray storage_images[];
+layout(set = 1, binding = 1) uniform uimage2DArray storage_images_uint[];
 layout(set = 0, binding = 1) uniform sampler samplers[];
 layout(set = 0, binding = 1) uniform samplerShadow shadow_samplers[];
 

@@ -35,10 +35,10 @@ MomentMap::MomentMap(Device& device, const MapInfo& map, const MomentMapInfo& in
   image.layers = map.layers;
   image.array = true;
   image.format = info.format;
-  image.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT;
+  image.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   if (info.mips) image.mips = static_cast<uint32_t>(std::bit_width(map.size));
   image_ = Image(device, image);
-  if (info.mips) mip_ = make_compute_pipeline(device, "shadow/map/mip.comp");
+  if (info.mips) mip_ = make_compute_pipeline(device, "shadow/map/mip.comp", {info.logarithms ? 1u : 0u});
 }
 
 Pipeline MomentMap::make_convert(uint32_t radius) const {

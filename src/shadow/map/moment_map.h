@@ -11,6 +11,7 @@ struct MomentMapInfo {
   uint32_t channels = 1;         // of the kernel's MOMENTS type
   uint32_t depth_samples = 1;
   bool mips = false;
+  bool logarithms = false;       // the image holds logarithms: mips average exponentials
 };
 
 enum class BlurShape { gaussian, box };

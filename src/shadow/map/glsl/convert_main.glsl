@@ -1,11 +1,14 @@
 // Encodes the depth map and blurs it: a work group loads a tile with an apron of the radius, encodes it into shared memory, blurs rows,
 // then columns, and writes each texel once. The includer has defined
 //   #define MOMENTS float | vec2 | vec3 | vec4           what a texel stores
-//   MOMENTS encode(float linear, vec2 slope, FilterParams params)   linear depth [0, 1]; its change from this texel to the next
+//   MOMENTS encode(float linear, vec2 slope, float depth_range_m, FilterParams params)
+//                                                        linear depth [0, 1]; its change from this texel to the next; metres from 0 to 1
 //   vec4 stored(MOMENTS blurred, FilterParams params)    what goes into the image
 // and optionally
 //   #define MOMENTS_NEED_SLOPE                           slope is then filled (it costs two more reads)
 //   #define MOMENTS_LOG                                  MOMENTS is a float that holds a logarithm: exponentials are summed
+//   #define MOMENTS_PREFILTER(params)                    true: a texel holds the mean of itself and its neighbours ahead (2 x 2), before
+//                                                        the blur; the reader then looks half a texel back
 layout(buffer_reference, scalar) readonly buffer FilterParamsRef { FilterParams v; };
 layout(push_constant, scalar) uniform Push {
   ShadowViews views;
@@ -30,7 +33,16 @@ float linear_at(ivec2 texel, uint layer, int s) {
   return clamp(linear_depth(views.v[layer].linear_numerator, views.v[layer].linear_denominator, uv, depth), 0.0, 1.0);
 }
 
-MOMENTS encode_texel(ivec2 texel, uint layer) {
+// Of what MOMENTS stands for.
+#ifdef MOMENTS_LOG
+#define SUM(a, b) (max(a, b) + log(1.0 + exp(-abs((a) - (b)))))
+#define MEAN(sum, count) ((sum) - log(float(count)))
+#else
+#define SUM(a, b) ((a) + (b))
+#define MEAN(sum, count) ((sum) / float(count))
+#endif
+
+MOMENTS encode_samples(ivec2 texel, uint layer) {
   FilterParams params = map_filter.v;
   MOMENTS sum;
   for (int s = 0; s < int(k_samples); ++s) {
@@ -42,39 +54,42 @@ MOMENTS encode_texel(ivec2 texel, uint layer) {
     vec2 behind = z - vec2(linear_at(texel - ivec2(1, 0), layer, s), linear_at(texel - ivec2(0, 1), layer, s));
     slope = mix(ahead, behind, lessThan(abs(behind), abs(ahead)));
 #endif
-    MOMENTS one = encode(z, slope, params);
-#ifdef MOMENTS_LOG
-    sum = s == 0 ? one : max(sum, one) + log(1.0 + exp(-abs(sum - one)));
-#else
-    sum = s == 0 ? one : sum + one;
-#endif
+    MOMENTS one = encode(z, slope, views.v[layer].depth_range_m, params);
+    sum = s == 0 ? one : SUM(sum, one);
   }
-#ifdef MOMENTS_LOG
-  return sum - log(float(k_samples));
-#else
-  return sum / float(k_samples);
+  return MEAN(sum, k_samples);
+}
+
+MOMENTS encode_texel(ivec2 texel, uint layer) {
+  MOMENTS sum = encode_samples(texel, layer);
+#ifdef MOMENTS_PREFILTER
+  if (MOMENTS_PREFILTER(map_filter.v)) {
+    for (int i = 1; i < 4; ++i) sum = SUM(sum, encode_samples(texel + ivec2(i & 1, i >> 1), layer));
+    sum = MEAN(sum, 4);
+  }
 #endif
+  return sum;
 }
 
 // The weighted sum of 2 radius + 1 entries `stride` apart.
-#define BLUR(source, middle, stride, result)                                                          \
-  {                                                                                                   \
-    MOMENTS first = source[middle];                                                                   \
-    result = BLUR_FIRST(first);                                                                       \
-    for (int i = 1; i <= k_radius; ++i) {                                                             \
-      result += weights[i] * (BLUR_TERM(source[middle - i * (stride)], first) + BLUR_TERM(source[middle + i * (stride)], first)); \
-    }                                                                                                 \
-    result = BLUR_LAST(result, first);                                                                \
-  }
 #ifdef MOMENTS_LOG
-// sum w exp(x) = exp(x0) sum w exp(x - x0): no exponential leaves the range of floats, for differences below 88.
-#define BLUR_FIRST(first) weights[0]
-#define BLUR_TERM(x, first) exp(min((x) - first, 80.0))
-#define BLUR_LAST(sum, first) (first + log(sum))
+// sum w exp(x) = exp(m) sum w exp(x - m), m the largest x: no exponential leaves the range of floats, however far apart the entries.
+#define BLUR(source, middle, stride, result)                                                                         \
+  {                                                                                                                  \
+    float most = source[middle];                                                                                     \
+    for (int i = 1; i <= k_radius; ++i) most = max(most, max(source[middle - i * (stride)], source[middle + i * (stride)])); \
+    result = weights[0] * exp(source[middle] - most);                                                                \
+    for (int i = 1; i <= k_radius; ++i) {                                                                            \
+      result += weights[i] * (exp(source[middle - i * (stride)] - most) + exp(source[middle + i * (stride)] - most)); \
+    }                                                                                                                \
+    result = most + log(result);                                                                                     \
+  }
 #else
-#define BLUR_FIRST(first) (weights[0] * first)
-#define BLUR_TERM(x, first) (x)
-#define BLUR_LAST(sum, first) (sum)
+#define BLUR(source, middle, stride, result)                                                                   \
+  {                                                                                                            \
+    result = weights[0] * source[middle];                                                                      \
+    for (int i = 1; i <= k_radius; ++i) result += weights[i] * (source[middle - i * (stride)] + source[middle + i * (stride)]); \
+  }
 #endif
 
 void main() {

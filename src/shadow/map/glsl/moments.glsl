@@ -1,6 +1,7 @@
 // Reading a moment map at a point.
 #ifndef GNOMON_MOMENTS_GLSL
 #define GNOMON_MOMENTS_GLSL
+#include "shadow/map/glsl/chebyshev.glsl"
 #include "shadow/map/glsl/map_data.glsl"
 
 // Trilinear and anisotropic over the pixel's footprint where the filter asks for footprints, else bilinear.
@@ -12,9 +13,5 @@ vec4 moments_at(uint map_image, MapSample at) {
   return textureLod(sampler2DArray(images_2d_array[nonuniformEXT(map_image)], samplers[k_sampler_linear_clamp]), vec3(at.uv, float(at.layer)), 0.0);
 #endif
 }
-
-// Values below `amount` become 0 and the rest is stretched over [0, 1]: what little light two overlapping shadows let through is
-// taken away, and with it some of every penumbra (Lauritzen 2007).
-float reduce_bleeding(float p, float amount) { return clamp((p - amount) / max(1.0 - amount, 1e-6), 0.0, 1.0); }
 
 #endif

@@ -1,0 +1,44 @@
+// Exponential shadow maps (Annen et al. 2008; Salvi 2008): the comparison of two depths becomes the product of two exponentials, one
+// of which is stored and blurred. Cost: one conversion pass over one channel and one texture read. Fails: near contact, where caster
+// and receiver are nearer than some 1/c, and where the kernel sees something beyond the receiver.
+#include "shadow/map/moment_map.h"
+#include "shadow/registry.h"
+
+namespace gnomon {
+namespace {
+
+#include "shadow/technique_params.h"
+
+constexpr const char* k_manual =
+    "Exponential shadow map: lit = exp(-c d) times the blurred exp(c z), one channel.\n"
+    "Annen, Mertens, Seidel, Flerackers and Kautz 2008. No variance, so no bleeding where two shadows overlap; instead a shadow\n"
+    "fades in over 1/c behind its caster, and light leaks where the kernel reaches a surface behind the receiver. esm.c counts\n"
+    "per range of the map's depths, or per metre (esm.unit): then the fade is as long in a scene of any size.\n"
+    "esm.space=log stores c z (Lauritzen 2008): any c is safe, reads average the exponentials of four texels themselves; mipmaps\n"
+    "and anisotropy (esm.mips) interpolate logarithms there, which darkens edges. esm.space=exponential stores exp(c z), for c up\n"
+    "to 160 per range. Pre-filtered ESM: esm.blur=0, esm.prefilter=true; blurred ESM: esm.blur=2 (5 x 5).";
+
+class Esm : public Filter {
+ public:
+  explicit Esm(const ParamBlock& params) { set(params); }
+  void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
+  uint32_t depth_samples() const override { return 1u << params_.samples; }
+  void prepare(Device& device, const MapInfo& info) override {
+    map_ = MomentMap(device, info, {GNOMON_ID_TEXT, VK_FORMAT_R32_SFLOAT, 1, depth_samples(), params_.mips != 0, params_.space == space_log});
+  }
+  void record(Recorder& recorder, const DrawnMap& map) override { map_.record(recorder, map, static_cast<uint32_t>(params_.blur)); }
+  const Image& map(const DrawnMap&) const override { return map_.image(); }
+
+ private:
+  Params params_;
+  MomentMap map_;
+};
+
+}  // namespace
+
+GNOMON_REGISTER(filter, Filter) {
+  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), [](const ProjectionInfo&) { return std::string(); },
+          [](const ParamBlock& params) -> std::unique_ptr<Filter> { return std::make_unique<Esm>(params); }};
+}
+
+}  // namespace gnomon

@@ -1,0 +1,39 @@
+// exp(c z) averaged over the kernel, times exp(-c d) (Annen et al. 2008, eq. 6).
+#define GNOMON_FILTER_FOOTPRINT
+#include "shadow/map/filter/esm/esm_scale.glsl"
+#include "shadow/map/glsl/moments.glsl"
+
+float filter_radius(FilterParams params) { return float(params.blur) + 1.0 + 0.5 * float(params.prefilter); }
+
+// log of the bilinear mean of the exponentials of four logarithms.
+float bilinear_log(uint map_image, MapSample at) {
+  vec2 position = at.uv * at.size - 0.5;
+  ivec2 low = ivec2(floor(position)), last = ivec2(int(at.size) - 1);
+  vec2 high = position - floor(position);
+  float x[4], weights[4], most = -1e30;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 texel = clamp(low + ivec2(i & 1, i >> 1), ivec2(0), last);
+    x[i] = texelFetch(images_2d_array[nonuniformEXT(map_image)], ivec3(texel, at.layer), 0).x;
+    weights[i] = ((i & 1) != 0 ? high.x : 1.0 - high.x) * ((i >> 1) != 0 ? high.y : 1.0 - high.y);
+    // The largest that counts: beside a larger one without weight the others would vanish.
+    if (weights[i] > 1e-6) most = max(most, x[i]);
+  }
+  float sum = 0.0;
+  for (int i = 0; i < 4; ++i) sum += weights[i] > 1e-6 ? weights[i] * exp(x[i] - most) : 0.0;
+  return most + log(sum);
+}
+
+float lit(uint map_image, MapSample at, FilterParams params) {
+  // A 2x2 mean lies at the corner of its texels.
+  if (params.prefilter != 0u) at.uv -= 0.5 / at.size;
+  float exponent = esm_exponent(params.c, params.unit, params.space, at.depth_range_m);
+  float average;
+  if (params.space == space_log) {
+    average = params.mips != 0u ? moments_at(map_image, at).x : bilinear_log(map_image, at);
+  } else {
+    average = log(max(moments_at(map_image, at).x, 1e-37));
+  }
+  float receiver = exponent * (clamp(at.linear, 0.0, 1.0) - 0.5);
+  // The difference of logarithms, and not a product of exponentials, which could be infinity times zero.
+  return reduce_bleeding(exp(min(average - receiver, 0.0)), params.bleeding);
+}
