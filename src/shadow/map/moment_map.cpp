@@ -47,8 +47,12 @@ Pipeline MomentMap::make_convert(uint32_t radius) const {
 
 void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius, BlurShape shape) {
   if (radius != radius_) {
-    // A tile and its apron, encoded, and the tile's columns, blurred along rows, lie in shared memory: 32 KiB on every device.
-    const auto bytes = [&](uint32_t tile) { return 4 * info_.channels * (tile + 2 * radius) * ((tile + 2 * radius) + tile); };
+    // Depths and encoded values of a tile and its apron, and the tile's columns blurred along rows, lie in shared memory, of which
+    // every device has 32 KiB.
+    const auto bytes = [&](uint32_t tile) {
+      const uint32_t side = tile + 2 * radius, depths = (side + 3) * (side + 3);
+      return 4 * (depths + (radius == 0 ? 0 : info_.channels * side * (side + tile)));
+    };
     tile_ = bytes(32) <= 32768 ? 32 : bytes(16) <= 32768 ? 16 : 8;
     convert_ = make_convert(radius);
     radius_ = radius;

@@ -24,13 +24,35 @@ layout(local_size_x = 256) in;
 const int k_side = k_tile + 2 * k_radius;
 shared MOMENTS encoded[k_radius == 0 ? 1 : k_side * k_side];
 shared MOMENTS rows[k_radius == 0 ? 1 : k_tile * k_side];
+#if defined(MOMENTS_NEED_SLOPE) || defined(MOMENTS_PREFILTER)
+// Linear depths of the tile, its apron and one texel more: encoding looks at neighbours.
+#define MOMENTS_DEPTH_TILE
+const int k_depth_side = k_side + 3;
+shared float depths[k_samples == 1u ? k_depth_side * k_depth_side : 1];
+#endif
 
-float linear_at(ivec2 texel, uint layer, int s) {
+// Read once: the same for every texel of the group.
+vec4 numerator, denominator;
+float depth_range_m;
+FilterParams filter_params;
+ivec2 tile_origin;
+uint layer;
+
+float fetch_linear(ivec2 texel, int s) {
   ivec2 inside = clamp(texel, ivec2(0), ivec2(int(size) - 1));
   float depth = k_samples == 1u ? texelFetch(images_2d_array[depth_image], ivec3(inside, layer), 0).x
                                 : texelFetch(images_2d_ms_array[depth_image], ivec3(inside, layer), s).x;
-  vec2 uv = (vec2(inside) + 0.5) / float(size);
-  return clamp(linear_depth(views.v[layer].linear_numerator, views.v[layer].linear_denominator, uv, depth), 0.0, 1.0);
+  return clamp(linear_depth(numerator, denominator, (vec2(inside) + 0.5) / float(size), depth), 0.0, 1.0);
+}
+
+float linear_at(ivec2 texel, int s) {
+#ifdef MOMENTS_DEPTH_TILE
+  if (k_samples == 1u) {
+    ivec2 at = texel - tile_origin + k_radius + 1;
+    return depths[at.y * k_depth_side + at.x];
+  }
+#endif
+  return fetch_linear(texel, s);
 }
 
 // Of what MOMENTS stands for.
@@ -42,29 +64,28 @@ float linear_at(ivec2 texel, uint layer, int s) {
 #define MEAN(sum, count) ((sum) / float(count))
 #endif
 
-MOMENTS encode_samples(ivec2 texel, uint layer) {
-  FilterParams params = map_filter.v;
+MOMENTS encode_samples(ivec2 texel) {
   MOMENTS sum;
   for (int s = 0; s < int(k_samples); ++s) {
-    float z = linear_at(texel, layer, s);
+    float z = linear_at(texel, s);
     vec2 slope = vec2(0.0);
 #ifdef MOMENTS_NEED_SLOPE
     // Against a silhouette the smaller difference of the two sides is the surface's own.
-    vec2 ahead = vec2(linear_at(texel + ivec2(1, 0), layer, s), linear_at(texel + ivec2(0, 1), layer, s)) - z;
-    vec2 behind = z - vec2(linear_at(texel - ivec2(1, 0), layer, s), linear_at(texel - ivec2(0, 1), layer, s));
+    vec2 ahead = vec2(linear_at(texel + ivec2(1, 0), s), linear_at(texel + ivec2(0, 1), s)) - z;
+    vec2 behind = z - vec2(linear_at(texel - ivec2(1, 0), s), linear_at(texel - ivec2(0, 1), s));
     slope = mix(ahead, behind, lessThan(abs(behind), abs(ahead)));
 #endif
-    MOMENTS one = encode(z, slope, views.v[layer].depth_range_m, params);
+    MOMENTS one = encode(z, slope, depth_range_m, filter_params);
     sum = s == 0 ? one : SUM(sum, one);
   }
   return MEAN(sum, k_samples);
 }
 
-MOMENTS encode_texel(ivec2 texel, uint layer) {
-  MOMENTS sum = encode_samples(texel, layer);
+MOMENTS encode_texel(ivec2 texel) {
+  MOMENTS sum = encode_samples(texel);
 #ifdef MOMENTS_PREFILTER
-  if (MOMENTS_PREFILTER(map_filter.v)) {
-    for (int i = 1; i < 4; ++i) sum = SUM(sum, encode_samples(texel + ivec2(i & 1, i >> 1), layer));
+  if (MOMENTS_PREFILTER(filter_params)) {
+    for (int i = 1; i < 4; ++i) sum = SUM(sum, encode_samples(texel + ivec2(i & 1, i >> 1)));
     sum = MEAN(sum, 4);
   }
 #endif
@@ -93,19 +114,29 @@ MOMENTS encode_texel(ivec2 texel, uint layer) {
 #endif
 
 void main() {
-  uint layer = gl_WorkGroupID.z;
+  layer = gl_WorkGroupID.z;
   if (views.v[layer].raster.in_use == 0u) return;
-  FilterParams params = map_filter.v;
+  numerator = views.v[layer].linear_numerator;
+  denominator = views.v[layer].linear_denominator;
+  depth_range_m = views.v[layer].depth_range_m;
+  filter_params = map_filter.v;
+  tile_origin = ivec2(gl_WorkGroupID.xy) * k_tile;
   int lane = int(gl_LocalInvocationIndex);
-  ivec2 origin = ivec2(gl_WorkGroupID.xy) * k_tile;
+#ifdef MOMENTS_DEPTH_TILE
+  if (k_samples == 1u) {
+    ivec2 first = tile_origin - k_radius - 1;
+    for (int i = lane; i < k_depth_side * k_depth_side; i += 256) depths[i] = fetch_linear(first + ivec2(i % k_depth_side, i / k_depth_side), 0);
+    barrier();
+  }
+#endif
   if (k_radius == 0) {
     for (int i = lane; i < k_tile * k_tile; i += 256) {
-      ivec2 texel = origin + ivec2(i % k_tile, i / k_tile);
-      if (all(lessThan(texel, ivec2(size)))) imageStore(storage_images[target], ivec3(texel, layer), stored(encode_texel(texel, layer), params));
+      ivec2 texel = tile_origin + ivec2(i % k_tile, i / k_tile);
+      if (all(lessThan(texel, ivec2(size)))) imageStore(storage_images[target], ivec3(texel, layer), stored(encode_texel(texel), filter_params));
     }
     return;
   }
-  for (int i = lane; i < k_side * k_side; i += 256) encoded[i] = encode_texel(origin - k_radius + ivec2(i % k_side, i / k_side), layer);
+  for (int i = lane; i < k_side * k_side; i += 256) encoded[i] = encode_texel(tile_origin - k_radius + ivec2(i % k_side, i / k_side));
   barrier();
   for (int i = lane; i < k_tile * k_side; i += 256) {
     int middle = (i / k_tile) * k_side + i % k_tile + k_radius;
@@ -115,10 +146,10 @@ void main() {
   }
   barrier();
   for (int i = lane; i < k_tile * k_tile; i += 256) {
-    ivec2 texel = origin + ivec2(i % k_tile, i / k_tile);
+    ivec2 texel = tile_origin + ivec2(i % k_tile, i / k_tile);
     int middle = (i / k_tile + k_radius) * k_tile + i % k_tile;
     MOMENTS result;
     BLUR(rows, middle, k_tile, result)
-    if (all(lessThan(texel, ivec2(size)))) imageStore(storage_images[target], ivec3(texel, layer), stored(result, params));
+    if (all(lessThan(texel, ivec2(size)))) imageStore(storage_images[target], ivec3(texel, layer), stored(result, filter_params));
   }
 }
