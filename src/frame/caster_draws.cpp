@@ -36,6 +36,7 @@ CasterDraws::CasterDraws(Device& device, const GpuScene& scene, const std::strin
     : device_(&device), scene_(&scene), options_(options) {
   // With one layer all paths are the same work.
   if (options_.layers == 1) options_.path = LayeringPath::per_layer;
+  if (options_.paraboloid) options_.path = LayeringPath::geometry;
   if (const std::string missing = layering_path_missing(device.info(), options_.path); !missing.empty()) {
     fail_device("submission.path={}: '{}' lacks {}", layering_path_name(options_.path), device.info().name, missing);
   }
@@ -59,6 +60,11 @@ CasterDraws::CasterDraws(Device& device, const GpuScene& scene, const std::strin
     info.vertex = fmt::format("frame/caster_{}_{}.vert", path, kind);
     if (options_.path == LayeringPath::geometry) info.geometry = fmt::format("frame/caster_{}.geom", kind);
     info.fragment = masked ? (options_.object_ids ? "frame/caster_masked_id.frag" : "frame/caster_masked.frag") : fragment;
+    if (options_.paraboloid) {
+      info.vertex = "frame/caster_geometry_masked.vert";
+      info.geometry = "frame/caster_paraboloid.geom";
+      info.fragment = fmt::format("frame/caster_paraboloid{}{}.frag", masked ? "_masked" : "", options_.object_ids ? "_id" : "");
+    }
     (masked ? masked_ : opaque_) = make_graphics_pipeline(device, info);
   }
 }

@@ -34,6 +34,7 @@ struct CasterDrawOptions {
   bool depth_clamp = false;
   uint32_t layers = 1;
   uint32_t samples = 1;      // of the depth map
+  bool paraboloid = false;   // every view is one: triangles are intersected texel by texel instead of bent at their vertices (path: geometry)
   bool object_ids = false;   // also writes the item's object + 1 into a colour attachment, R32_UINT
 };
 

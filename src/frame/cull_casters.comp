@@ -17,13 +17,22 @@ bool outside_plane(CasterRange range, vec4 plane) {
   return dot(plane.xyz, farthest) + plane.w < 0.0;
 }
 
+// Wholly behind the cone around -z that lies outside a paraboloid's map.
+bool behind_paraboloid(CasterRange range, LightView view) {
+  vec3 half_size = 0.5 * (range.bounds_max_ws - range.bounds_min_ws);
+  vec3 centre = (view.clip_from_world * vec4(0.5 * (range.bounds_max_ws + range.bounds_min_ws), 1.0)).xyz;
+  float farthest = length(centre) + length(half_size);
+  vec3 axis = transpose(mat3(view.clip_from_world))[2];
+  return centre.z + dot(abs(axis), half_size) < paraboloid_edge(view.rim) * farthest;
+}
+
 // A caster between the light and the view is drawn although it lies before the near plane: its bounds are swept along the light.
 // Behind the far plane there is nothing that it could shadow.
 bool touches(CasterRange range, LightView view) {
   if (view.in_use == 0u) return false;
   if (arguments.cull == 0u) return true;
+  if (view.kind == k_view_paraboloid) return !behind_paraboloid(range, view);
   mat4 rows = transpose(view.clip_from_world);
-  if (view.kind == k_view_paraboloid) return !outside_plane(range, rows[2]);  // the half space that looks along z
   if (outside_plane(range, rows[3] + rows[0]) || outside_plane(range, rows[3] - rows[0])) return false;
   if (outside_plane(range, rows[3] + rows[1]) || outside_plane(range, rows[3] - rows[1])) return false;
   return !outside_plane(range, rows[3] - rows[2]);

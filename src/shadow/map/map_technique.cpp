@@ -58,6 +58,7 @@ void MapTechnique::create_map(Device& device, const GpuScene& scene) {
   CasterDrawOptions options;
   options.path = chosen_path(submission_, device.info());
   options.depth_clamp = projection_->depth_clamp();
+  options.paraboloid = projection_->exact_paraboloid();
   options.layers = map.layers;
   options.samples = map.samples;
   options.object_ids = filter_->object_ids();

@@ -20,6 +20,8 @@ class Projection {
   virtual uint32_t map_size() const = 0;  // texels along a side
   virtual uint32_t layers() const = 0;    // at most k_max_layers
   virtual bool depth_clamp() const { return false; }
+  // All views are paraboloids, and casters are drawn without bending (CasterDrawOptions::paraboloid).
+  virtual bool exact_paraboloid() const { return false; }
 
   // The views of this frame: at most layers(); fewer where this frame needs fewer. They see every caster that can shadow a visible
   // point (a projection that computes its views on the GPU gives a safe first guess here).

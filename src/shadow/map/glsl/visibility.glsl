@@ -41,7 +41,7 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
   at.size = view.size;
   bool projective = view.raster.kind == k_view_projective;
   float w = projective ? (view.raster.clip_from_world * vec4(receiver.position_ws, 1.0)).w : length(receiver.position_ws - view.origin_ws);
-  at.texel_m = view.texel_m * max(w, 0.0);
+  at.texel_m = max(view.texel_m, view.texel_along_m * w) * max(w, 0.0);
   vec3 moved = biased_position(bias, receiver.position_ws, receiver.normal_ws, receiver.to_light, at.texel_m, radius, layer);
   vec4 clip = light_clip(view.raster, moved);
   vec3 ndc = clip.xyz / clip.w;
