@@ -18,7 +18,7 @@ std::vector<BuiltinOption> with_sun(double elevation, double azimuth, std::vecto
 }  // namespace
 
 std::span<const BuiltinScene> builtin_scenes() {
-  static const std::array<BuiltinScene, 5> scenes = {{
+  static const std::array<BuiltinScene, 7> scenes = {{
       {"chart/fence", "Alpha-tested bars over a floor, with the exact visibility of every floor point.",
        with_sun(50, 12,
                 {{"bars", 12, 1, 64, "Number of bars on four metres"},
@@ -36,10 +36,19 @@ std::span<const BuiltinScene> builtin_scenes() {
        "shadows.",
        {},
        make_courtyard},
+      {"landscape",
+       "Four kilometres of hills with woods and houses under three suns, and the beam of a projector on a hamlet.",
+       {{"detail", 1.0, 0.02, 4.0, "Triangles of ground, leaves and roofs as a fraction of those of the full landscape"}},
+       make_landscape},
       {"terrain",
        "A height map of 135 x 135 vertices and a sculpture of 1.3 million.",
        {{"detail", 1.0, 0.001, 4.0, "Vertices of the sculpture as a fraction of 1.3 million"}},
        make_terrain},
+      {"town",
+       "Streets to a far horizon: a thousand objects, most of them instances, and a million triangles; a tower behind the viewer casts "
+       "into the view.",
+       {{"detail", 1.0, 0.02, 4.0, "Triangles of roofs, leaves and ornaments as a fraction of those of the full town"}},
+       make_town},
   }};
   return scenes;
 }

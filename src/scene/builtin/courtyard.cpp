@@ -2,62 +2,31 @@
 // thin bars, alpha-tested iron and leaves, contact at all angles, a hanging lantern, a tower whose shadow crosses the court.
 #include "scene/builtin/builtin.h"
 #include "scene/builtin/courtyard_parts.h"
+#include "scene/builtin/materials.h"
 #include "scene/builtin/noise.h"
 #include "scene/builtin/procedural_textures.h"
 
 namespace gnomon {
-namespace {
-
-Material textured(Scene& scene, const std::string& name, SurfaceTexture texture) {
-  Material material;
-  material.name = name;
-  material.base_colour_texture = add_texture(scene, name, std::move(texture.colour), true);
-  material.normal_texture = add_texture(scene, name + "_normal", std::move(texture.normal), false);
-  return material;
-}
-
-Material cut_out(Scene& scene, const std::string& name, Image8 image, Wrap wrap_u) {
-  Material material;
-  material.name = name;
-  material.base_colour_texture = add_texture(scene, name, std::move(image), true, Wrap::clamp);
-  scene.textures.back().wrap_u = wrap_u;
-  material.masked = true, material.double_sided = true;
-  return material;
-}
-
-Material plain(const std::string& name, const vec3& colour) {
-  Material material;
-  material.name = name, material.base_colour = vec4(colour, 1.0f);
-  return material;
-}
-
-int shiny(Scene& scene, Material material, float specular, float shininess) {
-  material.specular = vec3(specular), material.shininess = shininess;
-  return add_material(scene, material);
-}
-
-}  // namespace
-
 CourtyardMaterials add_courtyard_materials(Scene& scene) {
   CourtyardMaterials m;
-  m.paving = shiny(scene, textured(scene, "paving", paving_texture(512)), 0.06f, 24.0f);
-  m.masonry = add_material(scene, textured(scene, "masonry", masonry_texture(512)));
-  m.plaster = add_material(scene, textured(scene, "plaster", plaster_texture(512)));
-  m.limestone = add_material(scene, textured(scene, "limestone", limestone_texture(256)));
-  Material tiles = textured(scene, "terracotta", terracotta_texture(256));
+  m.paving = add_material(scene, shiny(textured_material(scene, "paving", paving_texture(512)), 0.06f, 24.0f));
+  m.masonry = add_material(scene, textured_material(scene, "masonry", masonry_texture(512)));
+  m.plaster = add_material(scene, textured_material(scene, "plaster", plaster_texture(512)));
+  m.limestone = add_material(scene, textured_material(scene, "limestone", limestone_texture(256)));
+  Material tiles = textured_material(scene, "terracotta", terracotta_texture(256));
   tiles.double_sided = true;  // the roof's tiles are sheets
   m.terracotta = add_material(scene, tiles);
-  m.wood = add_material(scene, textured(scene, "wood", wood_texture(256)));
-  m.bark = add_material(scene, textured(scene, "bark", bark_texture(256)));
-  m.iron = shiny(scene, plain("iron", {0.03f, 0.027f, 0.025f}), 0.25f, 40.0f);
-  m.iron_panel = shiny(scene, cut_out(scene, "iron_panel", iron_panel_texture(512), Wrap::repeat), 0.2f, 40.0f);
+  m.wood = add_material(scene, textured_material(scene, "wood", wood_texture(256)));
+  m.bark = add_material(scene, textured_material(scene, "bark", bark_texture(256)));
+  m.iron = add_material(scene, shiny(plain_material("iron", {0.03f, 0.027f, 0.025f}), 0.25f, 40.0f));
+  m.iron_panel = add_material(scene, shiny(cut_out_material(scene, "iron_panel", iron_panel_texture(512), Wrap::repeat), 0.2f, 40.0f));
   const TwigStyle olive{8, 0.44f, 0.085f, 0.85f, {0.52f, 0.56f, 0.40f}, {0.09f, 0.08f, 0.07f}, 21};
-  m.olive = add_material(scene, cut_out(scene, "olive", twig_texture(256, olive), Wrap::clamp));
+  m.olive = add_material(scene, cut_out_material(scene, "olive", twig_texture(256, olive), Wrap::clamp));
   const TwigStyle cypress{14, 0.40f, 0.055f, 0.45f, {0.25f, 0.35f, 0.19f}, {0.07f, 0.08f, 0.05f}, 22};
-  m.cypress = add_material(scene, cut_out(scene, "cypress", twig_texture(256, cypress), Wrap::clamp));
+  m.cypress = add_material(scene, cut_out_material(scene, "cypress", twig_texture(256, cypress), Wrap::clamp));
   const TwigStyle shrub{5, 0.42f, 0.17f, 0.95f, {0.33f, 0.46f, 0.20f}, {0.08f, 0.09f, 0.05f}, 23};
-  m.shrub = add_material(scene, cut_out(scene, "shrub", twig_texture(256, shrub), Wrap::clamp));
-  Material glass = plain("lantern_glass", {0.8f, 0.6f, 0.3f});
+  m.shrub = add_material(scene, cut_out_material(scene, "shrub", twig_texture(256, shrub), Wrap::clamp));
+  Material glass = plain_material("lantern_glass", {0.8f, 0.6f, 0.3f});
   glass.emissive = vec3(0.9f, 0.5f, 0.16f);
   m.glass = add_material(scene, glass);
   return m;

@@ -4,28 +4,10 @@
 
 #include "scene/builtin/courtyard_parts.h"
 #include "scene/builtin/noise.h"
+#include "scene/builtin/plants.h"
 
 namespace gnomon {
 namespace {
-
-// A square card whose picture's top points along `up` (unit) and whose face is turned by chance around it.
-void add_card(MeshPart& part, const vec3& foot, const vec3& up, float size, Random& random) {
-  vec3 a, b;
-  orthonormal_basis(up, a, b);
-  const vec2 turn(unit_circle(6.2831853 * random.unit()));
-  const vec3 right = (a * turn.x + b * turn.y) * (0.5f * size), rise = up * size;
-  add_quad(part, foot - right, foot + right, foot + right + rise, foot - right + rise, {0, 0}, {1, 1});
-}
-
-// Cards that point outward from the middle of an ellipsoid, denser toward its surface.
-void add_foliage(MeshPart& part, const vec3& centre, const vec3& radii, int cards, float size, float lift, Random& random) {
-  for (int i = 0; i < cards; ++i) {
-    const vec3 out = random.on_sphere();
-    const vec3 foot = centre + out * radii * random.range(0.35f, 0.85f);
-    const vec3 up = glm::normalize(out + vec3(0, lift, 0) + 0.5f * random.on_sphere());
-    add_card(part, foot, up, size * random.range(0.75f, 1.2f), random);
-  }
-}
 
 struct Branch {
   std::vector<vec3> path;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/builtin/builtin.h"
+#include "scene/builtin/materials.h"
 #include "scene/builtin/noise.h"
 #include "scene/builtin/procedural_textures.h"
 #include "scene/builtin/shapes.h"
@@ -59,34 +60,25 @@ SurfaceGrid sculpture_grid(double detail) {
   return {scaled(k_around), scaled(k_across), true, true, {18, 3}};
 }
 
-int textured(Scene& scene, const std::string& name, SurfaceTexture texture, const vec3& tint, float specular) {
-  Material material;
-  material.name = name;
-  material.base_colour = vec4(tint, 1.0f);
-  material.base_colour_texture = add_texture(scene, name, std::move(texture.colour), true);
-  material.normal_texture = add_texture(scene, name + "_normal", std::move(texture.normal), false);
-  material.specular = vec3(specular);
-  return add_material(scene, material);
-}
-
 }  // namespace
 
 Scene make_terrain(const BuiltinOptions& options) {
   Scene scene;
   scene.name = "terrain";
-  MeshPart ground = part_of(textured(scene, "soil", soil_texture(512), vec3(1.0f), 0.0f));
+  MeshPart ground = part_of(add_material(scene, textured_material(scene, "soil", soil_texture(512))));
   add_surface(ground, {k_terrain_side - 1, k_terrain_side - 1, false, false, {22, 22}}, [](double u, double v) {
     const double x = k_terrain_m * (u - 0.5), z = k_terrain_m * (0.5 - v);
     return dvec3(x, terrain_height(x, z), z);
   });
   add_object(scene, "terrain", add_mesh(scene, "terrain", {ground}));
 
-  MeshPart model = part_of(textured(scene, "marble", limestone_texture(256), {0.95f, 0.90f, 0.84f}, 0.15f));
+  MeshPart model = part_of(add_material(
+      scene, shiny(textured_material(scene, "marble", limestone_texture(256), {0.95f, 0.90f, 0.84f}), 0.15f, 32.0f)));
   add_surface(model, sculpture_grid(options.at("detail")), sculpture);
   add_object(scene, "sculpture", add_mesh(scene, "sculpture", {std::move(model)}),
              translation({0, 5.22f, 0}) * rotation({0, 1, 0}, radians_of(-28.0)) * rotation({0, 0, 1}, radians_of(30.0)));
 
-  MeshPart plinth = part_of(textured(scene, "plinth", masonry_texture(512), vec3(1.0f), 0.0f));
+  MeshPart plinth = part_of(add_material(scene, textured_material(scene, "plinth", masonry_texture(512))));
   add_box(plinth, {-1.5f, -0.6f, -1.5f}, {1.5f, 0.45f, 1.5f}, 0.5f);
   add_box(plinth, {-1.1f, 0.45f, -1.1f}, {1.1f, 1.75f, 1.1f}, 0.5f);
   add_box(plinth, {-1.25f, 1.75f, -1.25f}, {1.25f, 1.95f, 1.25f}, 0.5f);
