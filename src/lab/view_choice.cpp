@@ -134,7 +134,14 @@ std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options,
   std::vector<Light> lights;
   if (options.lights.empty()) {
     const auto sun = std::find_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
-    lights.push_back(sun != scene.lights.end() ? *sun : default_sun(settings));
+    // Lamps light a scene by themselves; a sun is invented only for one that has no light at all.
+    if (sun != scene.lights.end()) {
+      lights.push_back(*sun);
+    } else if (!scene.lights.empty()) {
+      lights = scene.lights;
+    } else {
+      lights.push_back(default_sun(settings));
+    }
   }
   for (const std::string& text : options.lights) {
     if (const auto index = find_named(scene.lights, text)) {

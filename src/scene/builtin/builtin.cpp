@@ -18,7 +18,7 @@ std::vector<BuiltinOption> with_sun(double elevation, double azimuth, std::vecto
 }  // namespace
 
 std::span<const BuiltinScene> builtin_scenes() {
-  static const std::array<BuiltinScene, 7> scenes = {{
+  static const std::array<BuiltinScene, 9> scenes = {{
       {"chart/fence", "Alpha-tested bars over a floor, with the exact visibility of every floor point.",
        with_sun(50, 12,
                 {{"bars", 12, 1, 64, "Number of bars on four metres"},
@@ -36,6 +36,11 @@ std::span<const BuiltinScene> builtin_scenes() {
        "shadows.",
        {},
        make_courtyard},
+      {"hexworld",
+       "Hexagonal columns with plants, a gorge, and a cave on whose walls the shadows of plants and rock overlap.",
+       {{"radius", 60, 8, 120, "Rings of columns around the middle"}, {"detail", 1.0, 0.05, 4.0, "Leaves as a fraction of those of the full world"}},
+       make_hexworld},
+      {"lamps", "A closed room with a pendant lamp, a spot lamp behind a grating and the beam of a projector; no sun.", {}, make_lamps},
       {"landscape",
        "Four kilometres of hills with woods and houses under three suns, and the beam of a projector on a hamlet.",
        {{"detail", 1.0, 0.02, 4.0, "Triangles of ground, leaves and roofs as a fraction of those of the full landscape"}},

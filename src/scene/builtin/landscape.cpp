@@ -39,6 +39,17 @@ mat4 placed(const vec3& at, double turn_degrees, float size) {
   return translation(at) * rotation({0, 1, 0}, radians_of(turn_degrees)) * glm::scale(mat4(1.0f), vec3(size));
 }
 
+// Rock where it is steep, snow on the heights, by colours of vertices.
+void paint(MeshPart& part) {
+  for (size_t i = 0; i < part.positions.size(); ++i) {
+    const vec3& p = part.positions[i];
+    const float uneven = static_cast<float>(noise({0.03 * p.x, 0.0, 0.03 * p.z}, 73)), level = part.normals[i].y;
+    const vec3 rock = glm::mix(vec3(0.95f, 0.80f, 1.0f), vec3(1.0f), smooth_step(0.70f, 0.84f, level + 0.08f * uneven));
+    const float snow = smooth_step(215.0f, 275.0f, p.y + 60.0f * uneven) * smooth_step(0.55f, 0.75f, level);
+    part.colours[i] = vec4(glm::mix(rock, vec3(4.0f, 4.4f, 8.0f), snow), 1.0f);
+  }
+}
+
 void add_ground(Scene& scene, double detail) {
   const int material = add_material(scene, textured_material(scene, "meadow", soil_texture(512), {0.80f, 0.88f, 0.62f}));
   const int cells = std::max(8, static_cast<int>(54 * std::sqrt(detail)));
@@ -50,6 +61,7 @@ void add_ground(Scene& scene, double detail) {
                   [&](double u, double v) { return glm::dvec3(x0 + tile * u, height_at(x0 + tile * u, z0 - tile * v), z0 - tile * v); });
       const std::string name = "ground_" + std::to_string(row) + "_" + std::to_string(column);
       add_object(scene, name, add_mesh(scene, name, {std::move(part)}));
+      paint(scene.meshes.back().parts.front());
     }
   }
 }
@@ -70,13 +82,13 @@ void add_trees(Scene& scene, double detail) {
   int placed_trees = 0;
   constexpr int k_trees = 1300;
   for (int attempt = 0; attempt < 40 * k_trees && placed_trees < k_trees; ++attempt) {
-    // Two thirds within 600 m of the viewer's valley.
-    const double reach = placed_trees % 3 == 0 ? 0.46 * k_side : 600.0;
-    const double x = reach * (2.0 * random.unit() - 1.0), z = reach * (2.0 * random.unit() - 1.0) - (reach < 1000.0 ? 330.0 : 0.0);
+    // Two thirds within 360 m of the viewer's valley.
+    const double reach = placed_trees % 3 == 0 ? 0.46 * k_side : 360.0;
+    const double x = reach * (2.0 * random.unit() - 1.0), z = reach * (2.0 * random.unit() - 1.0) - (reach < 1000.0 ? 260.0 : 0.0);
     const double wood = fractal({0.008 * x, 4.4, 0.008 * z}, 3, 67), chance = random.unit();
     const float kind = random.unit(), size = random.range(0.7f, 1.25f), turn = 360.0f * random.unit();
-    if (chance > smooth_step(0.46f, 0.60f, static_cast<float>(wood)) + 0.03 || slope_at(x, z) > 0.7) continue;
-    if (glm::length(glm::dvec2(x - 5.0, z - 60.0)) < 30.0) continue;  // not in the first camera's face
+    if (chance > smooth_step(0.44f, 0.58f, static_cast<float>(wood)) + 0.03 || slope_at(x, z) > 0.7) continue;
+    if (glm::length(glm::dvec2(x - 5.0, z - 60.0)) < 14.0) continue;  // not in the first camera's face
     const bool high = height_at(x, z) > 70.0;
     const size_t species = high ? (kind < 0.7f ? 2u : 3u) : (kind < 0.45f ? 0u : kind < 0.75f ? 1u : kind < 0.9f ? 3u : 2u);
     add_object(scene, "tree_" + std::to_string(placed_trees++), meshes[species], placed(on_ground(x, z, 0.2), turn, size));
@@ -114,7 +126,7 @@ void add_houses(Scene& scene, double detail) {
     const double z = hamlet ? random.range(-260.0f, -90.0f) : random.range(-1800.0f, 300.0f);
     const auto kind = static_cast<size_t>(4.0f * random.unit());
     const float turn = 360.0f * random.unit();
-    if (slope_at(x, z) > 0.18) continue;
+    if (slope_at(x, z) > 0.18 || glm::length(glm::dvec2(x - 5.0, z - 50.0)) < 60.0) continue;
     const vec3 at = on_ground(x, z, 0.0);
     const auto too_close = [&](const Object& o) { return o.name.starts_with("house") && glm::length(vec3(o.world_from_object[3]) - at) < 21.0f; };
     if (std::any_of(scene.objects.begin(), scene.objects.end(), too_close)) continue;
@@ -163,8 +175,8 @@ Scene make_landscape(const BuiltinOptions& options) {
     scene.cameras.back().near = near, scene.cameras.back().far = far;
   };
   const vec3 hamlet = on_ground(15.0, -170.0);
-  camera("default", on_ground(5.0, 60.0) + vec3(0, 26, 0), hamlet + vec3(0, 8, 0), 55.0, 0.5f, 3500.0f);
-  camera("ground", on_ground(30.0, -60.0) + vec3(0, 1.8f, 0), hamlet + vec3(0, 4, 0), 60.0, 0.2f, 2500.0f);
+  camera("default", on_ground(5.0, 60.0) + vec3(0, 17, 0), hamlet + vec3(0, 10, 0), 52.0, 0.5f, 3500.0f);
+  camera("ground", on_ground(30.0, -95.0) + vec3(0, 1.8f, 0), hamlet + vec3(0, 4, 0), 60.0, 0.2f, 2500.0f);
   camera("summit", on_ground(900.0, 500.0) + vec3(0, 60, 0), hamlet, 55.0, 1.0f, 4500.0f);
   return scene;
 }

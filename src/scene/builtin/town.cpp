@@ -91,8 +91,8 @@ class Town {
     style.shop = !outward && random.unit() < 0.5f;
     style.joinery = rich;
     const double tiles = std::sqrt(detail_);
-    const float per_metre = near ? 2.3f : 0.9f;
-    style.tile_rows = static_cast<int>((near ? 11 : 4) * tiles);
+    const float per_metre = near ? 2.0f : 0.8f;
+    style.tile_rows = static_cast<int>((near ? 9 : 4) * tiles);
     style.tile_columns = std::max(1, static_cast<int>(width * per_metre * tiles));
     style.seed = static_cast<uint32_t>(10000.0f * random.unit());
     return style;
@@ -236,13 +236,13 @@ TownMaterials add_town_materials(Scene& scene) {
   m.shrub = add(cut_out_material(scene, "shrub", twig_texture(128, {6, 0.40f, 0.15f, 0.95f, {0.30f, 0.45f, 0.18f}, {0.07f, 0.08f, 0.05f}, 26})));
   m.roof = add(tiles);
   const int slate = add(tinted(tiles, "slate", {0.45f, 0.52f, 0.62f})), brick = add(tinted(masonry, "brick", {0.80f, 0.45f, 0.34f}));
-  const std::vector<vec3> plasters = {{0.95f, 0.93f, 0.88f}, {0.98f, 0.80f, 0.55f}, {0.90f, 0.62f, 0.48f}, {0.72f, 0.82f, 0.86f}, {0.80f, 0.88f, 0.70f}};
+  const std::vector<vec3> plasters = {{0.95f, 0.93f, 0.88f}, {0.98f, 0.80f, 0.55f}, {0.90f, 0.62f, 0.48f}, {0.62f, 0.78f, 0.95f}, {0.72f, 0.88f, 0.72f}};
   const std::vector<vec3> joinery = {{0.25f, 0.42f, 0.35f}, {0.40f, 0.20f, 0.14f}, {0.22f, 0.33f, 0.52f}, {0.85f, 0.84f, 0.80f}, {0.35f, 0.36f, 0.38f}};
   const std::vector<vec3> cloths = {{0.70f, 0.10f, 0.08f}, {0.10f, 0.30f, 0.20f}, {0.85f, 0.80f, 0.70f}, {0.12f, 0.20f, 0.45f}, {0.85f, 0.55f, 0.10f}};
   for (size_t i = 0; i < plasters.size(); ++i) {
     const std::string number = std::to_string(i);
     HouseMaterials house;
-    house.wall = add(tinted(i == 2 ? masonry : plaster, "house_wall_" + number, plasters[i]));
+    house.wall = add(tinted(i == 2 ? masonry : i % 3 == 0 ? stone : plaster, "house_wall_" + number, plasters[i]));
     house.trim = m.stone, house.brick = brick, house.glass = m.glass, house.iron = m.iron;
     house.roof = i % 3 == 0 ? slate : m.roof;
     house.wood = add(tinted(wood, "joinery_" + number, joinery[i]));

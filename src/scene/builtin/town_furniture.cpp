@@ -103,7 +103,7 @@ std::vector<MeshPart> make_car(const TownMaterials& m, int paint, bool van, doub
 
 std::vector<MeshPart> make_picket_fence(const TownMaterials& m, float length, double detail) {
   MeshPart wood = part_of(m.wood);
-  const int pickets = std::max(6, static_cast<int>(length / 0.19 * std::min(1.0, std::sqrt(detail))));
+  const int pickets = std::max(6, static_cast<int>(length / 0.24 * std::min(1.0, std::sqrt(detail))));
   for (const float y : {0.3f, 0.85f}) add_box(wood, {0, y, -0.02f}, {length, y + 0.07f, 0.02f}, 1.0f);
   const float step = length / static_cast<float>(pickets);
   for (int i = 0; i < pickets; ++i) {
