@@ -52,9 +52,8 @@ Frame::Frame(Device& device, const GpuScene& scene, uvec2 size, uint32_t samples
   linear_ = Buffer(device, "linear", size_t{size.x} * size.y * 16);
   frame_data_ = Buffer(device, "frame data", sizeof(FrameData), BufferMemory::upload);
   light_buffer_ = Buffer(device, "lights", lights_.size() * sizeof(LightData), BufferMemory::upload);
-  const auto light_list = light_buffer_.mapped_as<LightData>();
-  for (size_t i = 0; i < lights_.size(); ++i) light_list[i] = light_data(lights_[i]);
-  light_buffer_.flush();
+  fill_lights();
+  key_irradiance_ = key_irradiance(lights_, scene_.bounds());
 
   draws_ = CulledDraws(device, scene, "camera");
   cull_pipeline_ = make_cull_pipeline(device);
@@ -90,12 +89,25 @@ void Frame::set_camera(const Camera& camera) {
   fill_frame_data();
 }
 
+void Frame::set_lights(std::span<const Light> lights) {
+  const auto same_kind = [](const Light& a, const Light& b) { return a.kind == b.kind; };
+  GNOMON_ASSERT(std::equal(lights.begin(), lights.end(), lights_.begin(), lights_.end(), same_kind));
+  lights_.assign(lights.begin(), lights.end());
+  fill_lights();
+}
+
+void Frame::fill_lights() {
+  const auto list = light_buffer_.mapped_as<LightData>();
+  for (size_t i = 0; i < lights_.size(); ++i) list[i] = light_data(lights_[i]);
+  light_buffer_.flush();
+}
+
 void Frame::fill_frame_data() {
   data_.scene = scene_.data();
   data_.surface = {view_z_.address(), geometric_normal_.address(), item_.address(), primitive_.address(), share_.address()};
   data_.light_count = static_cast<uint32_t>(lights_.size());
   // The curve's own middle lies at an irradiance of 3.
-  const float key = key_irradiance(lights_, scene_.bounds()) / 3.0f;
+  const float key = key_irradiance_ / 3.0f;
   data_.ambient = params_.ambient * key;
   data_.exposure = params_.exposure / key;
   data_.normal_maps = params_.normal_maps;

@@ -26,6 +26,9 @@ class Frame {
 
   // What techniques read: valid between set_camera and the next one.
   void set_camera(const Camera& camera);
+  // The same lights at other places, or of other strength: as many as before, and of the same kinds. The exposure stays that of
+  // the first lights, so that an evening gets dark.
+  void set_lights(std::span<const Light> lights);
   void set_params(const frame_params::Params& params) { params_ = params; }
   const CameraData& camera() const { return data_.camera; }
   const GpuScene& scene() const { return scene_; }
@@ -64,12 +67,14 @@ class Frame {
  private:
   void create_images();
   void fill_frame_data();
+  void fill_lights();
 
   Device& device_;
   const GpuScene& scene_;
   uvec2 size_;
   uint32_t samples_;
   std::vector<Light> lights_;
+  float key_irradiance_;  // that pictures are exposed for
   frame_params::Params params_;
   FrameData data_ = {};
   Image albedo_, normal_, id_, depth_;

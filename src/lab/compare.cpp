@@ -167,6 +167,10 @@ class LightComparison {
 std::string light_argument(const Session& session, size_t index) {
   const auto& chosen = session.chosen_lights();
   if (chosen.size() == 1) return session.options().lights.empty() ? "" : session.options().lights.front();
+  // What was typed, where it names one light.
+  std::vector<std::string> typed;
+  for (const std::string& text : session.options().lights) typed.insert(typed.end(), text == "all" ? session.scene().lights.size() : 1, text == "all" ? "" : text);
+  if (index < typed.size() && !typed[index].empty()) return typed[index];
   const auto& all = session.scene().lights;
   const auto named = [&](const Light& light) { return light.name == chosen[index].name; };
   if (std::count_if(all.begin(), all.end(), named) == 1 && std::count_if(chosen.begin(), chosen.end(), named) == 1) return chosen[index].name;

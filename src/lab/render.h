@@ -1,4 +1,4 @@
-// One picture of one technique.
+// One picture of one technique, or a sequence along paths.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,11 @@ struct RenderOptions {
   ViewOptions view;
   std::string technique;
   Picture picture = Picture::shaded;
+  // 0: one picture. Else as many, `output` with _0000, _0001, ... before its extension, evenly over the paths (the camera's is
+  // `walk` where neither is named). seconds 0: each path from end to end; else the first `seconds` of each.
+  uint32_t frames = 0;
+  std::string path, sun_path;
+  double seconds = 0.0;
   std::filesystem::path output;  // .png (display values) or .exr (scene-linear colour; mask and reference: visibility)
 };
 

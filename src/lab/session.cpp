@@ -31,6 +31,16 @@ void Session::use_light(size_t index) {
   if (lights_.size() > 1) make_frame(std::span(&lights_[index], 1));
 }
 
+void Session::set_camera(const Camera& camera) {
+  camera_ = camera;
+  frame_->set_camera(camera_);
+}
+
+void Session::set_lights(std::vector<Light> lights) {
+  frame_->set_lights(lights);
+  lights_ = std::move(lights);
+}
+
 void Session::make_frame(std::span<const Light> lights) {
   context_.reset();
   frame_ = std::make_unique<Frame>(device_, *gpu_scene_, options_.size, options_.samples, lights);

@@ -18,13 +18,18 @@ struct ViewOptions {
   uvec2 size = {800, 600};
   uint32_t samples = 1;
   std::string camera;               // empty: the scene's first, else a framing one; a name, a number, or "x,y,z:x,y,z" (eye:target)
-  std::vector<std::string> lights;  // empty: the first directional light, else the sun of the light settings; "sun", "all", names, numbers
+  // Empty: the first directional light, else all lights, else the sun of the light settings. Else "sun", "all", names, numbers,
+  // lights as text (lab/light_text.h).
+  std::vector<std::string> lights;
 };
 
 // Camera and lights after the scene and the settings were asked. choose_camera writes what is in force into
 // `settings`.
 Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& settings);
 std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, const Settings& settings);
+// The scene's path of that name or number. Throws Error (usage), naming the valid ones.
+const CameraPath& choose_camera_path(const Scene& scene, const std::string& text);
+const SunPath& choose_sun_path(const Scene& scene, const std::string& text);
 // Writes what is in force of a light into `settings`.
 void record_light(const Light& light, Settings& settings);
 
@@ -47,6 +52,10 @@ class Session {
   // The place of a chosen light in the scene's list; its place among the chosen ones where the scene does not have it.
   size_t light_number(size_t index) const;
   void use_light(size_t index);
+
+  // Between frames: nothing is built again, and techniques keep their objects. `lights` are the chosen ones, moved.
+  void set_camera(const Camera& camera);
+  void set_lights(std::vector<Light> lights);
 
   // Empty when `spec` can run here: on this device, under these lights. Else the reason.
   std::string unavailable(const TechniqueSpec& spec) const;

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "lab/lab_params.h"
+#include "lab/light_text.h"
 #include "lab/session.h"
 
 namespace gnomon {
@@ -29,25 +30,11 @@ std::string names_of(const std::vector<T>& list) {
   return names.empty() ? "none in this scene" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::optional<vec3> parse_point(std::string_view text) {
-  vec3 point;
-  for (int i = 0; i < 3; ++i) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), point[i]);
-    if (error != std::errc() || !std::isfinite(point[i])) return std::nullopt;
-    text.remove_prefix(static_cast<size_t>(end - text.data()));
-    if (i < 2) {
-      if (text.empty() || text.front() != ',') return std::nullopt;
-      text.remove_prefix(1);
-    }
-  }
-  return text.empty() ? std::optional(point) : std::nullopt;
-}
-
 // "eye:target" in metres.
 std::optional<Camera> parse_camera(const std::string& text, const Scene& scene) {
   const size_t colon = text.find(':');
   if (colon == text.npos) return std::nullopt;
-  const auto eye = parse_point(std::string_view(text).substr(0, colon)), target = parse_point(std::string_view(text).substr(colon + 1));
+  const auto eye = parse_vec3(std::string_view(text).substr(0, colon)), target = parse_vec3(std::string_view(text).substr(colon + 1));
   if (!eye || !target || *eye == *target) return std::nullopt;
   Camera camera;
   camera.name = text;
@@ -61,14 +48,6 @@ std::optional<Camera> parse_camera(const std::string& text, const Scene& scene) 
 float degrees(float radians) { return radians * 180.0f / k_pi; }
 float radians(double degree) { return static_cast<float>(degree) * k_pi / 180.0f; }
 
-vec3 sun_direction(const light_params::Params& params) {
-  const float azimuth = radians(params.azimuth), elevation = radians(params.elevation);
-  // cos(90 degrees) is not quite zero in floats: an overhead sun stands exactly overhead.
-  const float across = std::abs(std::cos(elevation)) < 1e-6f ? 0.0f : std::cos(elevation);
-  const vec3 to_sun(across * std::sin(azimuth), std::sin(elevation), -across * std::cos(azimuth));
-  return -glm::normalize(to_sun);
-}
-
 // The settings that the user gave override the scene's light.
 void override_light(Light& light, const Settings& settings) {
   const auto params = settings.block("light").as<light_params::Params>();
@@ -78,7 +57,7 @@ void override_light(Light& light, const Settings& settings) {
       const vec3 to_sun = -light.direction;
       if (!settings.was_set("light.azimuth")) merged.azimuth = degrees(std::atan2(to_sun.x, -to_sun.z));
       if (!settings.was_set("light.elevation")) merged.elevation = degrees(std::asin(glm::clamp(to_sun.y, -1.0f, 1.0f)));
-      light.direction = sun_direction(merged);
+      light.direction = sun_direction(merged.azimuth, merged.elevation);
     }
     if (settings.was_set("light.angular_diameter")) light.angular_diameter = radians(params.angular_diameter);
   }
@@ -89,7 +68,7 @@ Light default_sun(const Settings& settings) {
   const auto params = settings.block("light").as<light_params::Params>();
   Light sun;
   sun.name = "sun";
-  sun.direction = sun_direction(params);
+  sun.direction = sun_direction(params.azimuth, params.elevation);
   sun.angular_diameter = radians(params.angular_diameter);
   sun.intensity = params.intensity;
   return sun;
@@ -150,8 +129,11 @@ std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options,
       lights.insert(lights.end(), scene.lights.begin(), scene.lights.end());
     } else if (text == "sun") {
       lights.push_back(default_sun(settings));
+    } else if (const auto light = parse_light(text)) {
+      lights.push_back(*light);
     } else {
-      fail_usage("--light {}: valid: 'sun' (placed by the light settings), 'all', or a light of the scene: {}", text, names_of(scene.lights));
+      fail_usage("--light {}: valid: 'sun' (placed by the light settings), 'all', a light of the scene: {}; or {}", text,
+                 names_of(scene.lights), k_light_text_help);
     }
   }
   for (const char* key : {"light.azimuth", "light.elevation", "light.angular_diameter"}) {
@@ -160,6 +142,18 @@ std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options,
   }
   for (Light& light : lights) override_light(light, settings);
   return lights;
+}
+
+const CameraPath& choose_camera_path(const Scene& scene, const std::string& text) {
+  const auto index = find_named(scene.camera_paths, text);
+  if (!index) fail_usage("--path {}: valid: {}", text, names_of(scene.camera_paths));
+  return scene.camera_paths[*index];
+}
+
+const SunPath& choose_sun_path(const Scene& scene, const std::string& text) {
+  const auto index = find_named(scene.sun_paths, text);
+  if (!index) fail_usage("--sun-path {}: valid: {}", text, names_of(scene.sun_paths));
+  return scene.sun_paths[*index];
 }
 
 }  // namespace gnomon

@@ -32,6 +32,8 @@ class Checker {
     for (size_t i = 0; i < scene_.objects.size(); ++i) check(scene_.objects[i], i);
     for (size_t i = 0; i < scene_.lights.size(); ++i) check(scene_.lights[i], fmt::format("lights[{}]", i));
     for (size_t i = 0; i < scene_.cameras.size(); ++i) check(scene_.cameras[i], fmt::format("cameras[{}]", i));
+    for (size_t i = 0; i < scene_.camera_paths.size(); ++i) check(scene_.camera_paths[i], fmt::format("camera_paths[{}]", i));
+    for (size_t i = 0; i < scene_.sun_paths.size(); ++i) check(scene_.sun_paths[i], fmt::format("sun_paths[{}]", i));
   }
 
  private:
@@ -130,6 +132,20 @@ class Checker {
     require(std::isfinite(camera.half_height) && camera.half_height > 0.0f, place + ".half_height", "above 0");
     require(camera.orthographic ? camera.near >= 0.0f : camera.near > 0.0f, place + ".near", "above 0");
     require(std::isfinite(camera.far) && camera.far > camera.near, place + ".far", "finite and beyond near");
+  }
+
+  void check(const CameraPath& path, const std::string& place) const {
+    require(!path.keys.empty() && path.keys.front().time_s == 0.0, place + ".keys", "at least one, the first at 0 seconds");
+    for (size_t i = 0; i < path.keys.size(); ++i) {
+      require(finite(path.keys[i].eye) && finite(path.keys[i].target), place + ".keys", "finite");
+      require(i == 0 || path.keys[i].time_s > path.keys[i - 1].time_s, place + ".keys", "in the order of their times");
+    }
+  }
+
+  void check(const SunPath& path, const std::string& place) const {
+    require(path.first_hour >= 0.0 && path.first_hour <= path.last_hour && path.last_hour <= 24.0, place, "within 0 to 24 hours");
+    require(path.duration_s > 0.0, place + ".duration_s", "above 0");
+    require(finite(path.colour) && std::isfinite(path.intensity), place, "of finite light");
   }
 
   const Scene& scene_;

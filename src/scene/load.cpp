@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "scene/path.h"
 
 namespace gnomon {
 namespace {
@@ -54,6 +55,7 @@ Scene load_scene(const std::string& name_or_path, const std::map<std::string, do
   for (const BuiltinScene& builtin : builtin_scenes()) {
     if (builtin.name != name_or_path) continue;
     Scene scene = builtin.make(complete_options(builtin, options));
+    if (!scene.closed_form) add_default_paths(scene);  // charts stand still: their closed forms are for one view and light
     check_scene(scene);
     return scene;
   }
@@ -65,7 +67,9 @@ Scene load_scene(const std::string& name_or_path, const std::map<std::string, do
                name_or_path, builtin_names());
   }
   if (!options.empty()) fail_usage("scene.{}: a scene from a file has no options", options.begin()->first);
-  return is_obj ? load_obj(path) : load_gltf(path);
+  Scene scene = is_obj ? load_obj(path) : load_gltf(path);
+  add_default_paths(scene);
+  return scene;
 }
 
 }  // namespace gnomon

@@ -105,6 +105,29 @@ struct Camera {
   float far = 1000.0f;                // the perspective projection is infinite; techniques that slice the view use this
 };
 
+// Where a viewer stands and looks over time (scene/path.h). Key times rise from 0.
+struct CameraKey {
+  double time_s = 0.0;
+  vec3 eye = vec3(0.0f), target = vec3(0, 0, -1);
+};
+struct CameraPath {
+  std::string name;
+  std::vector<CameraKey> keys;  // at least one
+};
+
+// A day of the sun (scene/path.h): where it stands follows from latitude and declination, colour and intensity from the air
+// that its light crosses. Angles in radians; hours of solar time, 12 at noon.
+struct SunPath {
+  std::string name;
+  double latitude = 0.785, declination = 0.30;
+  double turn = 0.0;  // of north about +Y, from -Z
+  double first_hour = 6.0, last_hour = 18.0;
+  double duration_s = 60.0;  // of this day as it is shown
+  vec3 colour = vec3(1.0f);  // at colour_hour, as is the intensity
+  float intensity = 3.0f;    // lux
+  double colour_hour = 12.0;
+};
+
 // The exact fraction of a light that reaches a point of a chart's receiver, in [0, 1]; nullopt where no closed form is known
 // (points of the caster itself). `point_ws` is in double precision so that the answer is exact at an edge.
 using ClosedFormVisibility = std::function<std::optional<double>(const glm::dvec3& point_ws, const Light& light)>;
@@ -116,8 +139,10 @@ struct Scene {
   std::vector<Material> materials;  // at least one
   std::vector<Mesh> meshes;
   std::vector<Object> objects;
-  std::vector<Light> lights;    // may be empty: the sun is then the default of the `light` settings
+  std::vector<Light> lights;    // may be empty: the sun is then that of the `light` settings
   std::vector<Camera> cameras;  // may be empty: the camera then frames the scene
+  std::vector<CameraPath> camera_paths;  // no content: they place cameras, and a picture's camera is recorded with it
+  std::vector<SunPath> sun_paths;
   ClosedFormVisibility closed_form;  // test charts only
 
   Box bounds() const;               // world space

@@ -4,6 +4,7 @@
 
 #include "app/cli/command.h"
 #include "base/error.h"
+#include "lab/light_text.h"
 
 namespace gnomon::cli {
 
@@ -14,7 +15,8 @@ void ViewArguments::add_to(CLI::App& command) {
   command.add_option("--size", size, "width x height of the picture, e.g. 1280x720")->capture_default_str();
   command.add_option("--samples", samples, "samples per pixel: 1, 2, 4, 8 as the device offers")->capture_default_str();
   command.add_option("--camera", camera, "'frame', 'x,y,z:x,y,z' (eye and target), or name or number of a camera of the scene");
-  command.add_option("--light", lights, "'sun', 'all', or name or number of a light of the scene; repeat for several");
+  command.add_option("--light", lights, std::string("'sun', 'all', name or number of a light of the scene, or ") + k_light_text_help +
+                                           "; repeat for several (default: the scene's first sun, else all its lights)");
   command.add_option("--set", assignments, "id.key=value, e.g. pcf.size=5 or light.elevation=30 (gnomon describe TECHNIQUE)");
 }
 

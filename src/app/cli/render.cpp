@@ -1,4 +1,4 @@
-// gnomon render: one picture.
+// gnomon render: one picture, or a sequence.
 #include "lab/render.h"
 
 #include <CLI/CLI.hpp>
@@ -12,12 +12,15 @@ struct Arguments {
   ViewArguments view;
   std::string technique = "single/pcf", output;
   Picture picture = Picture::shaded;
+  uint32_t frames = 0;
+  std::string path, sun_path;
+  double seconds = 0.0;
 };
 
 }  // namespace
 
 void add_render(CLI::App& app, const Globals& globals) {
-  auto* command = app.add_subcommand("render", "one picture of a scene with one technique");
+  auto* command = app.add_subcommand("render", "one picture of a scene with one technique, or a sequence");
   const auto arguments = std::make_shared<Arguments>();
   arguments->view.add_to(*command);
   command->add_option("--technique", arguments->technique, "projection/filter or a direct technique")->capture_default_str();
@@ -26,12 +29,21 @@ void add_render(CLI::App& app, const Globals& globals) {
       {"shaded", Picture::shaded}, {"mask", Picture::mask}, {"error", Picture::error}, {"reference", Picture::reference}};
   command->add_option("--show", arguments->picture, "shaded, mask, error (signed, against the reference), reference")
       ->transform(CLI::CheckedTransformer(names));
+  command->add_option("--frames", arguments->frames, "a sequence of so many pictures along the paths: NAME_0000.png, NAME_0001.png, ...")
+      ->check(CLI::Range(1u, 100000u));
+  command->add_option("--path", arguments->path, "name of a camera path of the scene: walk, turn, fly (default: walk, unless the sun moves)");
+  command->add_option("--sun-path", arguments->sun_path, "name of a sun path of the scene: day");
+  command->add_option("--seconds", arguments->seconds, "only the first seconds of each path, for slow motion (default: all of it)")
+      ->check(CLI::Range(1e-3, 1e6));
   command->callback([arguments, &globals] {
     RenderOptions options;
     options.view = arguments->view.view();
     options.technique = arguments->technique;
     options.picture = arguments->picture;
     options.output = arguments->output;
+    options.frames = arguments->frames;
+    options.path = arguments->path, options.sun_path = arguments->sun_path;
+    options.seconds = arguments->seconds;
     const Settings settings = arguments->view.settings();
     find_technique(options.technique);  // before a device is opened
     const auto device = globals.open_device();

@@ -5,6 +5,7 @@
 #include "scene/builtin/materials.h"
 #include "scene/builtin/noise.h"
 #include "scene/builtin/procedural_textures.h"
+#include "scene/path.h"
 
 namespace gnomon {
 CourtyardMaterials add_courtyard_materials(Scene& scene) {
@@ -50,6 +51,9 @@ Scene make_courtyard(const BuiltinOptions&) {
   scene.lights.push_back(sun);
   scene.cameras.push_back(look_at("default", {-4.6f, 1.65f, 8.8f}, {0.9f, 1.75f, -2.0f}, 50.0));
   scene.cameras.push_back(look_at("detail", {3.2f, 1.15f, 4.5f}, {5.75f, 0.5f, 1.3f}, 45.0));
+  const std::vector<CameraPose> walk = {{{-4.6f, 1.65f, 8.8f}, {0.9f, 1.75f, -2.0f}}, {{-1.5f, 1.65f, 6.5f}, {1.5f, 1.5f, -1.0f}}, {{0.2f, 1.65f, 3.4f}, {5.7f, 1.2f, 0.0f}}, {{-1.2f, 1.65f, 1.2f}, {-5.5f, 1.8f, -0.5f}}};
+  const std::vector<CameraPose> fly = {{{-8.0f, 6.0f, 10.0f}, {0.0f, 1.0f, -2.0f}}, {{0.0f, 9.0f, 11.0f}, {0.0f, 1.0f, -2.0f}}, {{8.0f, 7.0f, 8.0f}, {0.0f, 1.0f, -2.0f}}, {{9.0f, 5.0f, 0.0f}, {0.0f, 1.0f, -3.0f}}};
+  add_paths(scene, walk, fly);
   return scene;
 }
 

@@ -8,6 +8,7 @@
 #include "scene/builtin/materials.h"
 #include "scene/builtin/noise.h"
 #include "scene/builtin/plants.h"
+#include "scene/path.h"
 
 namespace gnomon {
 namespace {
@@ -277,9 +278,12 @@ Scene make_hexworld(const BuiltinOptions& options) {
     scene.cameras.push_back(look_at(name, eye, target, fov));
     scene.cameras.back().far = far;
   };
-  camera("default", {2.0f, 10.5f, 21.0f}, {-4.5f, 2.5f, -4.0f}, 55.0, 200.0f);
+  camera("default", {4.5f, 14.0f, 23.0f}, {-4.0f, 2.0f, -3.0f}, 55.0, 200.0f);
   camera("cave", {-9.0f, 3.6f, -2.5f}, {-13.5f, 3.4f, -12.0f}, 70.0, 120.0f);
-  camera("gorge", {12.5f, 4.5f, 12.0f}, {15.5f, -4.5f, -6.0f}, 60.0, 150.0f);
+  camera("gorge", {17.2f, 4.5f, 17.0f}, {13.0f, -7.0f, 1.0f}, 65.0, 150.0f);
+  const std::vector<CameraPose> walk = {{{-6.0f, 5.5f, 14.0f}, {-11.0f, 3.0f, -2.0f}}, {{-9.5f, 4.8f, 8.0f}, {-11.5f, 3.2f, -5.0f}}, {{-10.5f, 4.0f, 2.0f}, {-12.0f, 3.4f, -9.0f}}, {{-10.0f, 3.7f, -3.0f}, {-13.5f, 3.4f, -12.0f}}};
+  const std::vector<CameraPose> fly = {{{4.5f, 14.0f, 23.0f}, {-6.0f, 2.0f, -4.0f}}, {{18.0f, 16.0f, 14.0f}, {-6.0f, 2.0f, -4.0f}}, {{20.0f, 18.0f, -14.0f}, {-6.0f, 2.0f, -4.0f}}, {{-8.0f, 22.0f, -30.0f}, {-6.0f, 2.0f, -4.0f}}, {{-30.0f, 18.0f, -8.0f}, {-6.0f, 2.0f, -4.0f}}};
+  add_paths(scene, walk, fly);
   return scene;
 }
 

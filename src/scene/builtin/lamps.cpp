@@ -6,12 +6,13 @@
 #include "scene/builtin/materials.h"
 #include "scene/builtin/noise.h"
 #include "scene/builtin/plants.h"
+#include "scene/path.h"
 
 namespace gnomon {
 namespace {
 
 constexpr vec3 k_half(4.5f, 1.7f, 3.5f);  // of the room, whose floor is y = 0 [m]
-constexpr vec3 k_pendant(0.4f, 1.92f, 0.1f), k_spot(-4.05f, 2.75f, -2.95f), k_projector(4.2f, 2.45f, -1.2f);
+constexpr vec3 k_pendant(0.4f, 1.92f, 0.1f), k_spot(-4.05f, 2.75f, -2.95f), k_projector(4.2f, 2.4f, 0.55f);
 
 struct Materials {
   int plaster, floor, wood, dark_wood, stone, iron, grille, brass, bulb, leaves, pot, cloth;
@@ -21,7 +22,7 @@ struct Materials {
 Materials add_materials(Scene& scene) {
   Materials m;
   const Material wood = textured_material(scene, "wood", wood_texture(256)), stone = textured_material(scene, "limestone", limestone_texture(256));
-  m.plaster = add_material(scene, tinted(stone, "wall", {0.90f, 0.88f, 0.84f}));
+  m.plaster = add_material(scene, plain_material("wall", {0.66f, 0.64f, 0.60f}));
   m.floor = add_material(scene, shiny(tinted(wood, "floor", {0.80f, 0.62f, 0.45f}), 0.10f, 30.0f));
   m.wood = add_material(scene, tinted(wood, "oak", {0.95f, 0.85f, 0.70f}));
   m.dark_wood = add_material(scene, tinted(wood, "walnut", {0.45f, 0.30f, 0.22f}));
@@ -169,7 +170,7 @@ void add_potted_plant(Scene& scene, const Materials& m) {
   const std::vector<vec2> profile = {{0.0f, 0.0f}, {0.20f, 0.0f}, {0.28f, 0.40f}, {0.31f, 0.40f}, {0.31f, 0.46f}, {0.26f, 0.46f}, {0.24f, 0.38f}, {0.0f, 0.38f}};
   add_lathe(pot, profile, 20, {2, 2});
   append(leaves, make_bush(m.leaves, 0.3f, 1.1f, 60, 0.55f, 221).front(), translation({0, 0.4f, 0}));
-  add_object(scene, "potted_plant", add_mesh(scene, "potted_plant", {pot, leaves}), translation({-2.9f, 0, 1.5f}));
+  add_object(scene, "potted_plant", add_mesh(scene, "potted_plant", {pot, leaves}), translation({-1.3f, 0, 2.5f}));
 }
 
 // A frame whose +Z is `direction`.
@@ -212,14 +213,14 @@ Scene make_lamps(const BuiltinOptions&) {
   scene.name = "lamps";
   Light pendant, spot, projector;
   pendant.name = "pendant", pendant.kind = LightKind::point, pendant.position = k_pendant;
-  pendant.colour = vec3(1.0f, 0.82f, 0.60f), pendant.intensity = 14.0f, pendant.radius = 0.045f, pendant.range = 9.0f;
+  pendant.colour = vec3(1.0f, 0.82f, 0.60f), pendant.intensity = 42.0f, pendant.radius = 0.045f, pendant.range = 9.0f;
   spot.name = "spot", spot.kind = LightKind::spot, spot.position = k_spot;
-  spot.direction = glm::normalize(vec3(-1.6f, 0.4f, 1.6f) - k_spot);
-  spot.colour = vec3(0.80f, 0.90f, 1.0f), spot.intensity = 60.0f, spot.radius = 0.06f;
+  spot.direction = glm::normalize(vec3(-1.3f, 0.0f, 1.3f) - k_spot);
+  spot.colour = vec3(0.80f, 0.90f, 1.0f), spot.intensity = 130.0f, spot.radius = 0.06f;
   spot.inner_cone = static_cast<float>(radians_of(24.0)), spot.outer_cone = static_cast<float>(radians_of(34.0));
   projector.name = "projector", projector.kind = LightKind::projector, projector.position = k_projector;
-  projector.direction = glm::normalize(vec3(-1.3f, 0.3f, 2.6f) - k_projector);
-  projector.colour = vec3(1.0f, 0.55f, 0.45f), projector.intensity = 6.0f, projector.beam_radius = 0.42f;
+  projector.direction = glm::normalize(vec3(-4.4f, 0.95f, 0.35f) - k_projector);
+  projector.colour = vec3(1.0f, 0.55f, 0.45f), projector.intensity = 6.0f, projector.beam_radius = 0.5f;
   projector.angular_diameter = static_cast<float>(radians_of(1.0));
 
   const Materials m = add_materials(scene);
@@ -233,6 +234,9 @@ Scene make_lamps(const BuiltinOptions&) {
   camera("default", {3.9f, 1.9f, 3.1f}, {-0.9f, 0.75f, -0.7f}, 65.0);
   camera("table", {-0.9f, 1.35f, 1.6f}, {0.6f, 0.7f, -0.3f}, 55.0);
   camera("grating", {0.3f, 1.7f, 2.9f}, {-3.4f, 0.9f, -0.9f}, 60.0);
+  const std::vector<CameraPose> walk = {{{3.9f, 1.9f, 3.1f}, {-0.9f, 0.75f, -0.7f}}, {{1.5f, 1.7f, 2.7f}, {-1.0f, 0.8f, -0.8f}}, {{-1.0f, 1.6f, 1.5f}, {0.6f, 0.8f, -0.8f}}, {{-2.6f, 1.6f, 0.5f}, {1.0f, 0.9f, -2.0f}}};
+  const std::vector<CameraPose> fly = {{{3.9f, 3.0f, 3.0f}, {0.4f, 0.7f, 0.1f}}, {{-0.5f, 2.9f, 3.1f}, {0.4f, 0.7f, 0.1f}}, {{-3.6f, 2.8f, 1.5f}, {0.4f, 0.7f, 0.1f}}, {{-3.0f, 2.8f, -1.9f}, {0.4f, 0.7f, 0.1f}}};
+  add_paths(scene, walk, fly);
   return scene;
 }
 

@@ -9,6 +9,7 @@
 #include "scene/builtin/materials.h"
 #include "scene/builtin/noise.h"
 #include "scene/builtin/plants.h"
+#include "scene/path.h"
 
 namespace gnomon {
 namespace {
@@ -19,11 +20,11 @@ constexpr int k_tiles = 8;         // the ground is this many objects in each di
 // A valley along Z through the middle, hills that grow to mountains outward.
 double height_at(double x, double z) {
   const double bend = 90.0 * sine(0.0031 * z) + 40.0 * sine(0.0077 * z + 1.3), from_valley = std::abs(x - bend);
-  const double up = smooth_step(40.0f, 900.0f, static_cast<float>(from_valley));
+  const double up = smooth_step(60.0f, 800.0f, static_cast<float>(from_valley));
   const double ridge = 1.0 - std::abs(2.0 * fractal({0.0011 * x, 3.1, 0.0011 * z}, 5, 51) - 1.0);
   const double rolling = fractal({0.006 * x, 7.7, 0.006 * z}, 4, 57) - 0.5;
   const double small = fractal({0.05 * x, 1.7, 0.05 * z}, 2, 59) - 0.5;
-  return 360.0 * up * ridge * ridge + (10.0 + 34.0 * up) * rolling + 1.2 * small;
+  return 430.0 * up * ridge * ridge + (10.0 + 34.0 * up) * rolling + 1.2 * small;
 }
 
 vec3 on_ground(double x, double z, double sunk = 0.0) { return vec3(glm::dvec3(x, height_at(x, z) - sunk, z)); }
@@ -74,21 +75,22 @@ void add_trees(Scene& scene, double detail) {
   const int needles = add_material(
       scene, cut_out_material(scene, "needles", twig_texture(128, {14, 0.36f, 0.06f, 0.75f, {0.20f, 0.33f, 0.20f}, {0.05f, 0.06f, 0.04f}, 35})));
   const std::array<int, 4> meshes = {
-      add_mesh(scene, "oak", make_broadleaf(bark, leaves, {12.0f, 4.6f, scaled(220, detail, 12), 2.0f, 7, 41})),
-      add_mesh(scene, "birch", make_broadleaf(bark, leaves, {10.0f, 2.8f, scaled(160, detail, 12), 1.4f, 6, 42})),
-      add_mesh(scene, "spruce", make_conifer(bark, needles, {17.0f, 3.8f, scaled(200, detail, 12), 2.3f, 6, 43})),
-      add_mesh(scene, "fir", make_conifer(bark, needles, {12.0f, 3.0f, scaled(150, detail, 12), 2.0f, 6, 44}))};
+      add_mesh(scene, "oak", make_broadleaf(bark, leaves, {12.0f, 4.6f, scaled(120, detail, 12), 2.6f, 6, 41})),
+      add_mesh(scene, "birch", make_broadleaf(bark, leaves, {10.0f, 2.8f, scaled(96, detail, 12), 1.8f, 6, 42})),
+      add_mesh(scene, "spruce", make_conifer(bark, needles, {17.0f, 3.8f, scaled(120, detail, 12), 3.0f, 6, 43})),
+      add_mesh(scene, "fir", make_conifer(bark, needles, {12.0f, 3.0f, scaled(100, detail, 12), 2.5f, 6, 44}))};
   Random random(61);
   int placed_trees = 0;
-  constexpr int k_trees = 1300;
+  constexpr int k_trees = 2000;
   for (int attempt = 0; attempt < 40 * k_trees && placed_trees < k_trees; ++attempt) {
-    // Two thirds within 360 m of the viewer's valley.
-    const double reach = placed_trees % 3 == 0 ? 0.46 * k_side : 360.0;
-    const double x = reach * (2.0 * random.unit() - 1.0), z = reach * (2.0 * random.unit() - 1.0) - (reach < 1000.0 ? 260.0 : 0.0);
+    // Two of three on the slopes that the first camera looks at.
+    const bool far_away = placed_trees % 3 == 0;
+    const double reach = far_away ? 0.46 * k_side : 400.0, u = 2.0 * random.unit() - 1.0, v = 2.0 * random.unit() - 1.0;
+    const double x = reach * u, z = reach * v - (far_away ? 0.0 : 330.0);
     const double wood = fractal({0.008 * x, 4.4, 0.008 * z}, 3, 67), chance = random.unit();
     const float kind = random.unit(), size = random.range(0.7f, 1.25f), turn = 360.0f * random.unit();
-    if (chance > smooth_step(0.44f, 0.58f, static_cast<float>(wood)) + 0.03 || slope_at(x, z) > 0.7) continue;
-    if (glm::length(glm::dvec2(x - 5.0, z - 60.0)) < 14.0) continue;  // not in the first camera's face
+    if (chance > smooth_step(0.42f, 0.56f, static_cast<float>(wood)) + 0.03 || slope_at(x, z) > 0.7) continue;
+    if (glm::length(glm::dvec2(x - 5.0, z - 45.0)) < 26.0) continue;  // not in the first camera's face
     const bool high = height_at(x, z) > 70.0;
     const size_t species = high ? (kind < 0.7f ? 2u : 3u) : (kind < 0.45f ? 0u : kind < 0.75f ? 1u : kind < 0.9f ? 3u : 2u);
     add_object(scene, "tree_" + std::to_string(placed_trees++), meshes[species], placed(on_ground(x, z, 0.2), turn, size));
@@ -156,7 +158,7 @@ Scene make_landscape(const BuiltinOptions& options) {
   add_houses(scene, detail);
   add_trees(scene, detail);
 
-  scene.lights.push_back(sun("sun", {0.70f, -0.45f, -0.35f}, {1.0f, 0.88f, 0.70f}, 3.0f));
+  scene.lights.push_back(sun("sun", {0.66f, -0.60f, -0.45f}, {1.0f, 0.88f, 0.70f}, 3.0f));
   scene.lights.push_back(sun("sun_blue", {-0.55f, -0.62f, -0.40f}, {0.45f, 0.62f, 1.0f}, 1.2f));
   scene.lights.push_back(sun("sun_red", {0.25f, -0.24f, 0.90f}, {1.0f, 0.35f, 0.18f}, 0.9f));
   Light beam;
@@ -177,7 +179,11 @@ Scene make_landscape(const BuiltinOptions& options) {
   const vec3 hamlet = on_ground(15.0, -170.0);
   camera("default", on_ground(5.0, 60.0) + vec3(0, 17, 0), hamlet + vec3(0, 10, 0), 52.0, 0.5f, 3500.0f);
   camera("ground", on_ground(30.0, -95.0) + vec3(0, 1.8f, 0), hamlet + vec3(0, 4, 0), 60.0, 0.2f, 2500.0f);
-  camera("summit", on_ground(900.0, 500.0) + vec3(0, 60, 0), hamlet, 55.0, 1.0f, 4500.0f);
+  camera("summit", vec3(330.0f, 330.0f, 560.0f), on_ground(40.0, -400.0), 50.0, 1.0f, 4500.0f);
+  const auto above = [](double x, double z, float height) { return on_ground(x, z) + vec3(0, height, 0); };
+  const std::vector<CameraPose> walk = {{above(5.0, 60.0, 12.0f), hamlet}, {above(0.0, 10.0, 6.0f), hamlet}, {above(-5.0, -40.0, 3.0f), hamlet}, {above(10.0, -85.0, 3.0f), above(40.0, -260.0, 5.0f)}};
+  const std::vector<CameraPose> fly = {{above(5.0, 120.0, 40.0f), hamlet}, {above(-120.0, -120.0, 90.0f), above(0.0, -400.0, 0.0f)}, {above(0.0, -420.0, 120.0f), above(60.0, -800.0, 20.0f)}, {above(140.0, -700.0, 140.0f), above(60.0, -1200.0, 60.0f)}, {above(60.0, -1100.0, 120.0f), above(0.0, -1700.0, 100.0f)}};
+  add_paths(scene, walk, fly);
   return scene;
 }
 

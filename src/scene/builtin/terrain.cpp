@@ -8,6 +8,7 @@
 #include "scene/builtin/noise.h"
 #include "scene/builtin/procedural_textures.h"
 #include "scene/builtin/shapes.h"
+#include "scene/path.h"
 
 namespace gnomon {
 namespace {
@@ -92,6 +93,9 @@ Scene make_terrain(const BuiltinOptions& options) {
   sun.angular_diameter = static_cast<float>(radians_of(0.533));
   scene.lights.push_back(sun);
   scene.cameras.push_back(look_at("default", {-2.5f, 4.2f, 17.0f}, {2.0f, 3.3f, 0.0f}, 45.0));
+  const std::vector<CameraPose> walk = {{{-2.5f, 4.2f, 17.0f}, {2.0f, 3.3f, 0.0f}}, {{-9.0f, 4.0f, 11.5f}, {0.0f, 4.0f, 0.0f}}, {{-12.0f, 4.2f, 3.0f}, {0.0f, 4.5f, 0.0f}}, {{-9.0f, 4.0f, -5.0f}, {0.0f, 4.5f, 0.0f}}};
+  const std::vector<CameraPose> fly = {{{0.0f, 20.0f, 34.0f}, {0.0f, 3.0f, 0.0f}}, {{-28.0f, 18.0f, 18.0f}, {0.0f, 3.0f, 0.0f}}, {{-30.0f, 16.0f, -14.0f}, {0.0f, 3.0f, 0.0f}}, {{2.0f, 20.0f, -30.0f}, {0.0f, 3.0f, 0.0f}}};
+  add_paths(scene, walk, fly);
   return scene;
 }
 

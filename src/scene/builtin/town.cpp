@@ -8,6 +8,7 @@
 #include "scene/builtin/noise.h"
 #include "scene/builtin/plants.h"
 #include "scene/builtin/town_parts.h"
+#include "scene/path.h"
 
 namespace gnomon {
 namespace {
@@ -139,7 +140,8 @@ class Town {
         place_numbered("fence", mesh("fence"), {side * 36.5f - 4.0f, 0, south - 20.0f - 22.0f * static_cast<float>(i)}, 0.0);
       }
       for (int i = 0; i < 3; ++i) {
-        place_numbered("shrub", mesh("shrub"), {side * random.range(22.0f, 44.0f), 0, south - 84.0f * random.unit()}, 0.0, random.range(0.7f, 1.4f));
+        const float x = side * random.range(22.0f, 44.0f), z = south - 84.0f * random.unit(), size = random.range(0.7f, 1.4f);
+        place_numbered("shrub", mesh("shrub"), {x, 0, z}, 0.0, size);
       }
     }
   }
@@ -275,6 +277,9 @@ Scene make_town(const BuiltinOptions& options) {
   camera("street", {-6.0f, 1.75f, 4.0f}, {1.5f, 2.2f, -40.0f}, 60.0, 1800.0f);
   camera("roofs", {30.0f, 42.0f, 60.0f}, {-4.0f, 0.0f, -110.0f}, 50.0, 2200.0f);
   camera("garden", {34.0f, 2.0f, -6.0f}, {29.0f, 2.0f, -60.0f}, 60.0, 1800.0f);
+  const std::vector<CameraPose> walk = {{{-1.5f, 1.75f, 14.0f}, {-1.0f, 2.0f, -30.0f}}, {{-1.0f, 1.75f, -20.0f}, {1.0f, 3.0f, -60.0f}}, {{1.0f, 1.75f, -60.0f}, {-2.0f, 4.0f, -110.0f}}, {{0.0f, 1.75f, -120.0f}, {0.0f, 2.0f, -200.0f}}};
+  const std::vector<CameraPose> fly = {{{2.0f, 20.0f, 90.0f}, {0.0f, 5.0f, 0.0f}}, {{12.0f, 30.0f, 40.0f}, {0.0f, 0.0f, -40.0f}}, {{-5.0f, 48.0f, -40.0f}, {0.0f, 0.0f, -140.0f}}, {{5.0f, 24.0f, -160.0f}, {0.0f, 0.0f, -280.0f}}, {{0.0f, 14.0f, -260.0f}, {0.0f, 2.0f, -420.0f}}};
+  add_paths(scene, walk, fly);
   return scene;
 }
 

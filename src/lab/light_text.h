@@ -1,0 +1,27 @@
+// Lights written on the command line, for scenes that lack the one that is wanted.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "scene/scene.h"
+
+namespace gnomon {
+
+// One of
+//   sun:AZIMUTH,ELEVATION   point:X,Y,Z   spot:X,Y,Z:TX,TY,TZ   projector:X,Y,Z:TX,TY,TZ     (degrees; metres; T: what it points at)
+// then, if need be, :key=value,... with the keys that k_light_text_help names. nullopt where the text does not begin with a
+// kind and a colon. Throws Error (usage) for what is wrong after that, naming what would be valid.
+std::optional<Light> parse_light(std::string_view text);
+
+inline constexpr const char* k_light_text_help =
+    "sun:azimuth,elevation, point:x,y,z, spot:x,y,z:tx,ty,tz or projector:x,y,z:tx,ty,tz, then :key=value,... with intensity, colour=r/g/b, "
+    "name, angular_diameter (sun, projector), radius, range (point, spot), inner, outer (spot, half angles in degrees), beam (projector)";
+
+// Three numbers with that character between them, and nothing else.
+std::optional<vec3> parse_vec3(std::string_view text, char separator = ',');
+
+// The way the light travels from a sun at `azimuth` (clockwise from -Z seen from above) and `elevation`, degrees.
+vec3 sun_direction(float azimuth, float elevation);
+
+}  // namespace gnomon

@@ -1,0 +1,71 @@
+"""gnomon render --frames: sequences along paths; lights written on the command line."""
+import unittest
+
+from program import QUICK, USAGE, Case
+
+HARD = ["--technique", "single/hard"]
+
+
+class Frames(Case):
+    def frames(self, *arguments, scene="courtyard", name="out.png", expect=0):
+        self.run_gnomon("render", scene, "-o", self.folder / name, *QUICK, *HARD, *arguments, expect=expect)
+        return sorted(self.folder.iterdir())
+
+    def test_numbered_pictures_that_differ(self):
+        paths = self.frames("--frames", "3", "--path", "walk")
+        self.assertEqual([path.name for path in paths], ["out_0000.png", "out_0001.png", "out_0002.png"])
+        self.assertEqual(len({path.read_bytes() for path in paths}), 3)
+
+    def test_walk_is_the_default_and_begins_at_the_first_camera(self):
+        self.frames("--frames", "1")
+        self.run_gnomon("render", "courtyard", "-o", self.folder / "still.png", *QUICK, *HARD)
+        self.assertEqual((self.folder / "out_0000.png").read_bytes(), (self.folder / "still.png").read_bytes())
+
+    def test_sun_path_with_a_standing_camera(self):
+        paths = self.frames("--frames", "3", "--sun-path", "day", "--camera", "detail")
+        self.assertEqual(len({path.read_bytes() for path in paths}), 3)
+
+    def test_same_bytes_again_over_old_files(self):
+        first = [path.read_bytes() for path in self.frames("--frames", "2", "--path", "turn", "--seconds", "1")]
+        (self.folder / "out_0001.png").write_bytes(b"old")
+        again = [path.read_bytes() for path in self.frames("--frames", "2", "--path", "turn", "--seconds", "1")]
+        self.assertEqual(first, again)
+
+    def test_misuse(self):
+        def refuse(*arguments, says, scene="courtyard"):
+            self.refused("render", scene, "-o", self.folder / "out.png", *QUICK, *HARD, *arguments, says=says)
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+        refuse("--frames", "2", "--path", "run", says=["--path run", "walk", "turn", "fly"])
+        refuse("--frames", "2", "--sun-path", "night", says=["--sun-path night", "day"])
+        refuse("--frames", "0", says=["--frames"])
+        refuse("--frames", "cats", says=["--frames"])
+        refuse("--path", "walk", says=["--frames"])
+        refuse("--seconds", "2", says=["--frames"])
+        refuse("--frames", "2", "--seconds", "999", says=["--seconds", "walk"])
+        refuse("--frames", "2", "--camera", "detail", says=["--camera"])
+        refuse("--frames", "2", "--sun-path", "day", "--set", "light.elevation=20", says=["light.elevation"])
+        refuse("--frames", "2", "--path", "walk", scene="chart/sphere", says=["none in this scene"])
+        self.refused("render", "courtyard", "-o", self.folder / "out", "--frames", "2", *QUICK, says=[".png"])
+
+
+class LightText(Case):
+    def test_a_sun_by_its_angles(self):
+        self.run_gnomon("render", "courtyard", "-o", self.folder / "a.png", *QUICK, *HARD, "--light", "sun:200,40")
+        self.run_gnomon("render", "courtyard", "-o", self.folder / "b.png", *QUICK, *HARD, "--light", "sun", "--set",
+                        "light.azimuth=200", "--set", "light.elevation=40")
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
+    def test_misuse_names_what_is_valid(self):
+        for text, says in {
+            "spot:1,2,3": "spot:x,y,z:tx,ty,tz",
+            "point:1,2,3:cats=4": "radius",
+            "point:1,2,3:radius=-1": "0 to",
+            "moon": "projector:x,y,z",
+        }.items():
+            with self.subTest(light=text):
+                self.refused("render", "courtyard", "-o", self.folder / "x.png", *QUICK, "--light", text, expect=USAGE, says=[text, says])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
