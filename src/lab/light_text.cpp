@@ -70,7 +70,8 @@ std::string valid_keys(LightKind kind) {
 
 void assign(Light& light, std::string_view whole, std::string_view assignment, bool& inner_set) {
   const size_t equals = assignment.find('=');
-  if (equals == assignment.npos) fail_usage("--light {}: '{}' is not of the form key=value; valid keys: {}", whole, assignment, valid_keys(light.kind));
+  if (equals == assignment.npos)
+    fail_usage("--light {}: '{}' is not of the form key=value; valid keys: {}", whole, assignment, valid_keys(light.kind));
   const std::string_view name = assignment.substr(0, equals), value = assignment.substr(equals + 1);
   if (name == "name") {
     if (value.empty()) fail_usage("--light {}: name: valid: a word", whole);
@@ -79,7 +80,8 @@ void assign(Light& light, std::string_view whole, std::string_view assignment, b
   }
   if (name == "colour") {
     const auto colour = parse_vec3(value, '/');
-    if (!colour || glm::any(glm::lessThan(*colour, vec3(0.0f)))) fail_usage("--light {}: colour={}: valid: r/g/b, each 0 or more (linear)", whole, value);
+    if (!colour || glm::any(glm::lessThan(*colour, vec3(0.0f))))
+      fail_usage("--light {}: colour={}: valid: r/g/b, each 0 or more (linear)", whole, value);
     light.colour = *colour;
     return;
   }
@@ -112,7 +114,8 @@ void place(Light& light, std::string_view whole, const Kind& kind, const std::ve
   light.position = *position;
   if (light.kind == LightKind::point) return;
   const auto target = parse_vec3(pieces[1]);
-  if (!target || *target == *position) fail_usage("--light {}: '{}' is no point away from the light; valid: {} [m]", whole, pieces[1], kind.form);
+  if (!target || *target == *position)
+    fail_usage("--light {}: '{}' is no point away from the light; valid: {} [m]", whole, pieces[1], kind.form);
   light.direction = glm::normalize(*target - *position);
 }
 
@@ -141,7 +144,8 @@ std::optional<Light> parse_light(std::string_view text) {
   for (const Kind& kind : k_kinds) {
     if (!text.starts_with(kind.name) || text.size() <= kind.name.size() || text[kind.name.size()] != ':') continue;
     const auto pieces = split(text.substr(kind.name.size() + 1), ':');
-    if (pieces.size() < kind.places || pieces.size() > kind.places + 1) fail_usage("--light {}: valid: {}[:key=value,...]", text, kind.form);
+    if (pieces.size() < kind.places || pieces.size() > kind.places + 1)
+      fail_usage("--light {}: valid: {}[:key=value,...]", text, kind.form);
     Light light;
     light.name = kind.name;
     light.kind = kind.kind;

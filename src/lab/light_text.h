@@ -9,14 +9,17 @@
 namespace gnomon {
 
 // One of
-//   sun:AZIMUTH,ELEVATION   point:X,Y,Z   spot:X,Y,Z:TX,TY,TZ   projector:X,Y,Z:TX,TY,TZ     (degrees; metres; T: what it points at)
+//   sun:AZIMUTH,ELEVATION   point:X,Y,Z   spot:X,Y,Z:TX,TY,TZ   projector:X,Y,Z:TX,TY,TZ     (degrees; metres; T: what it
+//   points at)
 // then, if need be, :key=value,... with the keys that k_light_text_help names. nullopt where the text does not begin with a
 // kind and a colon. Throws Error (usage) for what is wrong after that, naming what would be valid.
 std::optional<Light> parse_light(std::string_view text);
 
 inline constexpr const char* k_light_text_help =
-    "sun:azimuth,elevation, point:x,y,z, spot:x,y,z:tx,ty,tz or projector:x,y,z:tx,ty,tz, then :key=value,... with intensity, colour=r/g/b, "
-    "name, angular_diameter (sun, projector), radius, range (point, spot), inner, outer (spot, half angles in degrees), beam (projector)";
+    "sun:azimuth,elevation, point:x,y,z, spot:x,y,z:tx,ty,tz or projector:x,y,z:tx,ty,tz, then :key=value,... with intensity, "
+    "colour=r/g/b, "
+    "name, angular_diameter (sun, projector), radius, range (point, spot), inner, outer (spot, half angles in degrees), beam "
+    "(projector)";
 
 // Three numbers with that character between them, and nothing else.
 std::optional<vec3> parse_vec3(std::string_view text, char separator = ',');

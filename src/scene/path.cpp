@@ -17,13 +17,15 @@ vec3 tangent(std::span<const CameraKey> keys, size_t i, vec3 CameraKey::*member)
   };
   if (i == 0) return slope(0, 1);
   if (i + 1 == keys.size()) return slope(i - 1, i);
-  const auto before = static_cast<float>(keys[i].time_s - keys[i - 1].time_s), after = static_cast<float>(keys[i + 1].time_s - keys[i].time_s);
+  const auto before = static_cast<float>(keys[i].time_s - keys[i - 1].time_s),
+             after = static_cast<float>(keys[i + 1].time_s - keys[i].time_s);
   return (slope(i - 1, i) * after + slope(i, i + 1) * before) / (before + after);
 }
 
 vec3 hermite(const vec3& a, const vec3& tangent_a, const vec3& b, const vec3& tangent_b, float t, float step) {
   const float t2 = t * t, t3 = t2 * t;
-  return a * (2 * t3 - 3 * t2 + 1) + tangent_a * (step * (t3 - 2 * t2 + t)) + b * (3 * t2 - 2 * t3) + tangent_b * (step * (t3 - t2));
+  return a * (2 * t3 - 3 * t2 + 1) + tangent_a * (step * (t3 - 2 * t2 + t)) + b * (3 * t2 - 2 * t3) +
+         tangent_b * (step * (t3 - t2));
 }
 
 mat4 looking(const vec3& eye, const vec3& target) {
@@ -66,12 +68,14 @@ CameraPose pose_at(const CameraPath& path, double time_s) {
   GNOMON_ASSERT(!keys.empty());
   if (keys.size() == 1 || time_s <= keys.front().time_s) return {keys.front().eye, keys.front().target};
   if (time_s >= keys.back().time_s) return {keys.back().eye, keys.back().target};
-  const auto next = std::upper_bound(keys.begin(), keys.end(), time_s, [](double t, const CameraKey& key) { return t < key.time_s; });
+  const auto next =
+      std::upper_bound(keys.begin(), keys.end(), time_s, [](double t, const CameraKey& key) { return t < key.time_s; });
   const auto b = static_cast<size_t>(next - keys.begin()), a = b - 1;
   const double step = keys[b].time_s - keys[a].time_s;
   const auto t = static_cast<float>((time_s - keys[a].time_s) / step);
   const auto at = [&](vec3 CameraKey::*member) {
-    return hermite(keys[a].*member, tangent(keys, a, member), keys[b].*member, tangent(keys, b, member), t, static_cast<float>(step));
+    return hermite(keys[a].*member, tangent(keys, a, member), keys[b].*member, tangent(keys, b, member), t,
+                   static_cast<float>(step));
   };
   return {at(&CameraKey::eye), at(&CameraKey::target)};
 }
@@ -88,10 +92,12 @@ SunState sun_at(const SunPath& path, double hour) {
   hour = std::clamp(hour, path.first_hour, path.last_hour);
   const glm::dvec3 to_sun = turned(to_sun_northward(path, hour), path.turn);
   // Relative to the hour at which the path's own colour holds.
-  const glm::dvec3 light = glm::dvec3(path.colour) * transmittance(sine_elevation(path, hour)) / transmittance(sine_elevation(path, path.colour_hour));
+  const glm::dvec3 light = glm::dvec3(path.colour) * transmittance(sine_elevation(path, hour)) /
+                           transmittance(sine_elevation(path, path.colour_hour));
   const double strongest = std::max({light.x, light.y, light.z, 1e-9});
   const double reference = std::max({path.colour.x, path.colour.y, path.colour.z, 1e-9f});
-  return {glm::normalize(-vec3(to_sun)), vec3(light / strongest * reference), static_cast<float>(path.intensity * strongest / reference)};
+  return {glm::normalize(-vec3(to_sun)), vec3(light / strongest * reference),
+          static_cast<float>(path.intensity * strongest / reference)};
 }
 
 double hour_at(const SunPath& path, double time_s) {
@@ -113,8 +119,11 @@ SunPath day_through(const std::string& name, const Light& sun) {
   // Nearer the equator where the sun of this latitude does not climb that high.
   const double highest = 0.5 * 3.14159265358979323846 - path.latitude + path.declination;
   if (elevation > highest) path.latitude -= elevation - highest;
-  const double sl = std::sin(path.latitude), cl = std::cos(path.latitude), sd = std::sin(path.declination), cd = std::cos(path.declination);
-  const auto hour_angle = [&](double sine) { return std::acos(std::clamp((sine - sl * sd) / (cl * cd), -1.0, 1.0)) / k_hour_angle; };
+  const double sl = std::sin(path.latitude), cl = std::cos(path.latitude), sd = std::sin(path.declination),
+               cd = std::cos(path.declination);
+  const auto hour_angle = [&](double sine) {
+    return std::acos(std::clamp((sine - sl * sd) / (cl * cd), -1.0, 1.0)) / k_hour_angle;
+  };
   path.colour_hour = 12.0 + hour_angle(to_sun.y);  // afternoon
   const double half_day = hour_angle(std::min(std::sin(3.0 * 3.14159265358979323846 / 180.0), to_sun.y));
   path.first_hour = 12.0 - half_day, path.last_hour = 12.0 + half_day;
@@ -128,11 +137,13 @@ CameraPath camera_path(const std::string& name, double duration_s, std::span<con
   std::vector<double> way(poses.size(), 0.0);
   // Where the eye stands and only the target moves, time passes by the target's way.
   for (size_t i = 1; i < poses.size(); ++i) {
-    const double moved = glm::length(poses[i].eye - poses[i - 1].eye), turned_by = glm::length(poses[i].target - poses[i - 1].target);
+    const double moved = glm::length(poses[i].eye - poses[i - 1].eye),
+                 turned_by = glm::length(poses[i].target - poses[i - 1].target);
     way[i] = way[i - 1] + std::max({moved, 0.1 * turned_by, 1e-6});
   }
   CameraPath path{name, {}};
-  for (size_t i = 0; i < poses.size(); ++i) path.keys.push_back({duration_s * way[i] / way.back(), poses[i].eye, poses[i].target});
+  for (size_t i = 0; i < poses.size(); ++i)
+    path.keys.push_back({duration_s * way[i] / way.back(), poses[i].eye, poses[i].target});
   return path;
 }
 
@@ -167,21 +178,25 @@ void add_paths(Scene& scene, std::span<const CameraPose> walk, std::span<const C
 void add_default_paths(Scene& scene) {
   const Camera camera = scene.cameras.empty() ? framing_camera(scene, 1.5f) : scene.cameras.front();
   const Box box = scene.bounds();
-  const vec3 centre = box.empty() ? vec3(0.0f) : box.centre(), eye(camera.world_from_view[3]), forward = -vec3(camera.world_from_view[2]);
+  const vec3 centre = box.empty() ? vec3(0.0f) : box.centre(), eye(camera.world_from_view[3]),
+             forward = -vec3(camera.world_from_view[2]);
   const float radius = box.empty() ? 1.0f : std::max(box.radius(), 1e-3f);
   // How far the camera looks: to the middle of the scene, as far as that lies ahead of it.
   const float ahead = std::clamp(glm::dot(centre - eye, forward), 0.2f * radius, 3.0f * radius);
   const vec3 target = eye + ahead * forward, side = vec3(camera.world_from_view[0]) * (0.15f * ahead);
   if (scene.camera_paths.empty()) {
-    const std::array<CameraPose, 4> walk = {CameraPose{eye, target}, CameraPose{eye + 0.2f * ahead * forward + 0.6f * side, target + 0.5f * side},
-                                            CameraPose{eye + 0.4f * ahead * forward + side, target + side}, CameraPose{eye + 0.6f * ahead * forward, target + 1.5f * side}};
+    const std::array<CameraPose, 4> walk = {CameraPose{eye, target},
+                                            CameraPose{eye + 0.2f * ahead * forward + 0.6f * side, target + 0.5f * side},
+                                            CameraPose{eye + 0.4f * ahead * forward + side, target + side},
+                                            CameraPose{eye + 0.6f * ahead * forward, target + 1.5f * side}};
     scene.camera_paths.push_back(camera_path("walk", 20.0, walk));
     scene.camera_paths.push_back(turn_path("turn", 20.0, camera, ahead));
     const vec3 from = framing_camera(scene, 1.5f).world_from_view[3];
     scene.camera_paths.push_back(orbit_path("fly", 30.0, centre + 0.8f * (from - centre), centre));
   }
   if (scene.sun_paths.empty()) {
-    const auto sun = std::find_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return l.kind == LightKind::directional; });
+    const auto sun =
+        std::find_if(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return l.kind == LightKind::directional; });
     Light usual;
     usual.direction = glm::normalize(vec3(0.5f, -0.6f, -0.6f)), usual.intensity = 3.0f, usual.colour = vec3(1.0f, 0.95f, 0.88f);
     scene.sun_paths.push_back(day_through("day", sun != scene.lights.end() ? *sun : usual));

@@ -34,7 +34,8 @@ TEST(light_text, each_kind_with_its_defaults) {
 }
 
 TEST(light_text, keys) {
-  const auto spot = parse_light("spot:0,4,0:0,0,0:intensity=250,radius=0.1,range=20,inner=10,outer=30,colour=1/0.5/0.25,name=desk");
+  const auto spot =
+      parse_light("spot:0,4,0:0,0,0:intensity=250,radius=0.1,range=20,inner=10,outer=30,colour=1/0.5/0.25,name=desk");
   ASSERT_TRUE(spot);
   EXPECT_EQ(spot->intensity, 250.0f);
   EXPECT_EQ(spot->radius, 0.1f);
@@ -48,7 +49,8 @@ TEST(light_text, keys) {
 }
 
 TEST(light_text, other_words_are_no_lights) {
-  for (const char* text : {"", "moon", "sun", "all", "lamp:1,2,3", "points:1,2,3", "3", "spot"}) EXPECT_FALSE(parse_light(text)) << text;
+  for (const char* text : {"", "moon", "sun", "all", "lamp:1,2,3", "points:1,2,3", "3", "spot"})
+    EXPECT_FALSE(parse_light(text)) << text;
 }
 
 void expect_refused(const char* text, const char* says) {

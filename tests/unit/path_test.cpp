@@ -10,7 +10,9 @@
 namespace gnomon {
 namespace {
 
-const CameraPath k_path = {"p", {{0.0, {0, 0, 0}, {0, 0, -1}}, {1.0, {1, 0, 0}, {5, 1, 0}}, {4.0, {3, 2, 1}, {5, 3, 9}}, {4.5, {3, 2, 8}, {-5, 3, 9}}}};
+const CameraPath k_path = {
+    "p",
+    {{0.0, {0, 0, 0}, {0, 0, -1}}, {1.0, {1, 0, 0}, {5, 1, 0}}, {4.0, {3, 2, 1}, {5, 3, 9}}, {4.5, {3, 2, 8}, {-5, 3, 9}}}};
 
 TEST(camera_path, passes_through_its_keys) {
   for (const CameraKey& key : k_path.keys) {
@@ -25,7 +27,9 @@ TEST(camera_path, passes_through_its_keys) {
 
 TEST(camera_path, place_and_velocity_are_continuous) {
   constexpr double k_step = 1e-3;
-  const auto velocity = [](double t) { return (pose_at(k_path, t + k_step).eye - pose_at(k_path, t).eye) / static_cast<float>(k_step); };
+  const auto velocity = [](double t) {
+    return (pose_at(k_path, t + k_step).eye - pose_at(k_path, t).eye) / static_cast<float>(k_step);
+  };
   for (double t = 0.01; t < 4.48; t += 0.005) {
     EXPECT_LT(glm::length(pose_at(k_path, t + 1e-4).eye - pose_at(k_path, t).eye), 0.01f) << t;
     EXPECT_LT(glm::length(velocity(t + 2 * k_step) - velocity(t)), 0.6f) << t;
@@ -45,7 +49,8 @@ TEST(camera_path, keeps_the_lens_and_looks_at_the_target) {
 }
 
 TEST(camera_path, made_from_places_has_an_even_pace_and_turns_come_full_circle) {
-  const std::array<CameraPose, 3> poses = {CameraPose{{0, 0, 0}, {0, 0, -9}}, CameraPose{{1, 0, 0}, {1, 0, -9}}, CameraPose{{4, 0, 0}, {4, 0, -9}}};
+  const std::array<CameraPose, 3> poses = {CameraPose{{0, 0, 0}, {0, 0, -9}}, CameraPose{{1, 0, 0}, {1, 0, -9}},
+                                           CameraPose{{4, 0, 0}, {4, 0, -9}}};
   const CameraPath path = camera_path("walk", 8.0, poses);
   EXPECT_NEAR(path.keys[1].time_s, 2.0, 1e-9);
   EXPECT_EQ(duration_s(path), 8.0);
@@ -65,7 +70,8 @@ Light sun_toward(const vec3& direction) {
 }
 
 TEST(sun_path, passes_through_the_sun_that_it_was_made_for) {
-  for (const vec3& direction : {vec3(0.6f, -0.5f, 0.6f), vec3(-0.3f, -0.9f, 0.1f), vec3(0.1f, -0.03f, -1.0f), vec3(0, -1, 0), vec3(0.2f, -0.99f, 0)}) {
+  for (const vec3& direction :
+       {vec3(0.6f, -0.5f, 0.6f), vec3(-0.3f, -0.9f, 0.1f), vec3(0.1f, -0.03f, -1.0f), vec3(0, -1, 0), vec3(0.2f, -0.99f, 0)}) {
     const Light sun = sun_toward(direction);
     const SunPath day = day_through("day", sun);
     const SunState state = sun_at(day, day.colour_hour);

@@ -73,7 +73,8 @@ Column column_at(double x, double z) {
   }
   column.ground = {k_bottom, std::max(stepped(height), k_bottom + k_step)};
   if (in_cave(x, z)) {
-    const float floor = stepped(k_cave_floor + 0.5 * (noise({0.6 * x, 5.0, 0.6 * z}, 167) - 0.5)), ceiling = stepped(ceiling_at(x, z));
+    const float floor = stepped(k_cave_floor + 0.5 * (noise({0.6 * x, 5.0, 0.6 * z}, 167) - 0.5)),
+                ceiling = stepped(ceiling_at(x, z));
     if (column.ground.high > floor) {
       if (column.ground.high >= ceiling + 2.0f * k_step && !in_skylight(x, z)) column.roof = {ceiling, column.ground.high};
       column.ground.high = floor;
@@ -85,7 +86,8 @@ Column column_at(double x, double z) {
 
 class HexWorld {
  public:
-  HexWorld(Scene& scene, int radius) : scene_(scene), radius_(radius), columns_(static_cast<size_t>(2 * radius + 1) * (2 * radius + 1)) {
+  HexWorld(Scene& scene, int radius)
+      : scene_(scene), radius_(radius), columns_(static_cast<size_t>(2 * radius + 1) * (2 * radius + 1)) {
     for_cells([&](int q, int r) {
       const glm::dvec2 at = centre_of(q, r);
       columns_[index(q, r)] = column_at(at.x, at.y);
@@ -120,7 +122,9 @@ class HexWorld {
   }
 
  private:
-  size_t index(int q, int r) const { return static_cast<size_t>(q + radius_) * (2 * radius_ + 1) + static_cast<size_t>(r + radius_); }
+  size_t index(int q, int r) const {
+    return static_cast<size_t>(q + radius_) * (2 * radius_ + 1) + static_cast<size_t>(r + radius_);
+  }
 
   template <class Function>
   void for_cells(const Function& function) const {
@@ -147,14 +151,15 @@ class HexWorld {
       const vec2 p = corner(q, r, k);
       add_vertex(part, {p.x, y, p.y}, {0, up ? 1 : -1, 0}, 0.45f * p);
     }
-    for (uint32_t k = 1; k < 5; ++k) up ? add_triangle(part, first, first + k + 1, first + k) : add_triangle(part, first, first + k, first + k + 1);
+    for (uint32_t k = 1; k < 5; ++k)
+      up ? add_triangle(part, first, first + k + 1, first + k) : add_triangle(part, first, first + k, first + k + 1);
   }
 
   static void add_side(MeshPart& part, int q, int r, int k, const Span& span) {
     const vec2 a = corner(q, r, (k + 1) % 6), b = corner(q, r, k);
     const float u = 0.45f * k_cell * static_cast<float>(k);
-    add_quad(part, {a.x, span.low, a.y}, {b.x, span.low, b.y}, {b.x, span.high, b.y}, {a.x, span.high, a.y}, {u, -0.45f * span.high},
-             {u + 0.45f * k_cell, -0.45f * span.low});
+    add_quad(part, {a.x, span.low, a.y}, {b.x, span.low, b.y}, {b.x, span.high, b.y}, {a.x, span.high, a.y},
+             {u, -0.45f * span.high}, {u + 0.45f * k_cell, -0.45f * span.low});
   }
 
   // What of `span` the neighbour leaves bare.
@@ -192,7 +197,8 @@ class HexWorld {
           // Soil under grass, rock below it.
           const float seam = under_sky && surface != k_rock ? std::max(span.low, solid.high - 0.9f) : span.high;
           if (const Span deep{span.low, std::min(seam, span.high)}; deep.solid()) add_side(parts[k_rock], q, r, k, deep);
-          if (const Span shallow{std::max(seam, span.low), span.high}; shallow.solid()) add_side(parts[surface == k_sand ? k_sand : k_soil], q, r, k, shallow);
+          if (const Span shallow{std::max(seam, span.low), span.high}; shallow.solid())
+            add_side(parts[surface == k_sand ? k_sand : k_soil], q, r, k, shallow);
         }
       }
     }
@@ -206,7 +212,9 @@ class HexWorld {
 int scaled(int count, double detail) { return std::max(3, static_cast<int>(count * detail + 0.5)); }
 
 void add_plants(Scene& scene, const HexWorld& world, double detail) {
-  const auto twigs = [&](const char* name, const TwigStyle& style) { return add_material(scene, cut_out_material(scene, name, twig_texture(128, style))); };
+  const auto twigs = [&](const char* name, const TwigStyle& style) {
+    return add_material(scene, cut_out_material(scene, name, twig_texture(128, style)));
+  };
   const int blade = twigs("grass_blades", {4, 0.75f, 0.06f, 0.30f, {0.42f, 0.58f, 0.20f}, {0.08f, 0.09f, 0.05f}, 171});
   const int fern = twigs("fern", {9, 0.40f, 0.09f, 1.05f, {0.25f, 0.45f, 0.16f}, {0.06f, 0.08f, 0.04f}, 172});
   const int leaf = twigs("leaves", {5, 0.42f, 0.19f, 0.95f, {0.36f, 0.50f, 0.22f}, {0.08f, 0.09f, 0.05f}, 173});
@@ -223,7 +231,8 @@ void add_plants(Scene& scene, const HexWorld& world, double detail) {
                translation(at) * rotation({0, 1, 0}, radians_of(turn)) * flip * glm::scale(mat4(1.0f), vec3(size)));
   };
   world.for_columns([&](const Column& column, float x, float z, int q, int r) {
-    const float chance = unit_random(q, r, 191u), size = 0.75f + 0.5f * unit_random(q, r, 192u), turn = 360.0f * unit_random(q, r, 193u);
+    const float chance = unit_random(q, r, 191u), size = 0.75f + 0.5f * unit_random(q, r, 192u),
+                turn = 360.0f * unit_random(q, r, 193u);
     const float along = z - static_cast<float>(k_cave_z);
     const bool cave = in_cave(x, z);
     if (column.roof.solid()) {
@@ -281,8 +290,15 @@ Scene make_hexworld(const BuiltinOptions& options) {
   camera("default", {4.5f, 14.0f, 23.0f}, {-4.0f, 2.0f, -3.0f}, 55.0, 200.0f);
   camera("cave", {-9.0f, 3.6f, -2.5f}, {-13.5f, 3.4f, -12.0f}, 70.0, 120.0f);
   camera("gorge", {17.2f, 4.5f, 17.0f}, {13.0f, -7.0f, 1.0f}, 65.0, 150.0f);
-  const std::vector<CameraPose> walk = {{{-6.0f, 5.5f, 14.0f}, {-11.0f, 3.0f, -2.0f}}, {{-9.5f, 4.8f, 8.0f}, {-11.5f, 3.2f, -5.0f}}, {{-10.5f, 4.0f, 2.0f}, {-12.0f, 3.4f, -9.0f}}, {{-10.0f, 3.7f, -3.0f}, {-13.5f, 3.4f, -12.0f}}};
-  const std::vector<CameraPose> fly = {{{4.5f, 14.0f, 23.0f}, {-6.0f, 2.0f, -4.0f}}, {{18.0f, 16.0f, 14.0f}, {-6.0f, 2.0f, -4.0f}}, {{20.0f, 18.0f, -14.0f}, {-6.0f, 2.0f, -4.0f}}, {{-8.0f, 22.0f, -30.0f}, {-6.0f, 2.0f, -4.0f}}, {{-30.0f, 18.0f, -8.0f}, {-6.0f, 2.0f, -4.0f}}};
+  const std::vector<CameraPose> walk = {{{-6.0f, 5.5f, 14.0f}, {-11.0f, 3.0f, -2.0f}},
+                                        {{-9.5f, 4.8f, 8.0f}, {-11.5f, 3.2f, -5.0f}},
+                                        {{-10.5f, 4.0f, 2.0f}, {-12.0f, 3.4f, -9.0f}},
+                                        {{-10.0f, 3.7f, -3.0f}, {-13.5f, 3.4f, -12.0f}}};
+  const std::vector<CameraPose> fly = {{{4.5f, 14.0f, 23.0f}, {-6.0f, 2.0f, -4.0f}},
+                                       {{18.0f, 16.0f, 14.0f}, {-6.0f, 2.0f, -4.0f}},
+                                       {{20.0f, 18.0f, -14.0f}, {-6.0f, 2.0f, -4.0f}},
+                                       {{-8.0f, 22.0f, -30.0f}, {-6.0f, 2.0f, -4.0f}},
+                                       {{-30.0f, 18.0f, -8.0f}, {-6.0f, 2.0f, -4.0f}}};
   add_paths(scene, walk, fly);
   return scene;
 }

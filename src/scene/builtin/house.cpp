@@ -9,13 +9,15 @@
 namespace gnomon {
 namespace {
 
-constexpr float k_uv = 0.4f;         // texture repeats a metre
-constexpr float k_reveal = 0.22f;    // depth of an opening [m]
+constexpr float k_uv = 0.4f;       // texture repeats a metre
+constexpr float k_reveal = 0.22f;  // depth of an opening [m]
 
 // An upright plane; `right` is horizontal, and the outside is right x up.
 struct Wall {
   vec3 foot, right;
-  vec3 at(float x, float y, float out = 0.0f) const { return foot + right * x + vec3(0, y, 0) + glm::cross(right, vec3(0, 1, 0)) * out; }
+  vec3 at(float x, float y, float out = 0.0f) const {
+    return foot + right * x + vec3(0, y, 0) + glm::cross(right, vec3(0, 1, 0)) * out;
+  }
 };
 
 void add_flat(MeshPart& part, const std::array<vec3, 4>& corners, const vec3& u_axis, const vec3& v_axis) {
@@ -46,8 +48,16 @@ struct Builder {
   Random random;
 
   Builder(const HouseMaterials& m, const HouseStyle& s)
-      : wall(part_of(m.wall)), trim(part_of(m.trim)), roof(part_of(m.roof)), brick(part_of(m.brick)), wood(part_of(m.wood)),
-        glass(part_of(m.glass)), iron(part_of(m.iron)), cloth(part_of(m.cloth)), style(s), random(s.seed) {}
+      : wall(part_of(m.wall)),
+        trim(part_of(m.trim)),
+        roof(part_of(m.roof)),
+        brick(part_of(m.brick)),
+        wood(part_of(m.wood)),
+        glass(part_of(m.glass)),
+        iron(part_of(m.iron)),
+        cloth(part_of(m.cloth)),
+        style(s),
+        random(s.seed) {}
 
   // Wall around an opening, its reveals, and what fills it. The frame's four trapezoids meet their neighbours at corners
   // only: no vertex lies on another's edge, where rasterisers leave cracks.
@@ -57,15 +67,20 @@ struct Builder {
     const vec3 up(0, 1, 0), out = glm::cross(w.right, up);
     for (size_t k = 0; k < 4; ++k) {
       const size_t n = (k + 1) % 4;
-      add_flat(wall, {w.at(outer[k].x, outer[k].y), w.at(outer[n].x, outer[n].y), w.at(inner[n].x, inner[n].y), w.at(inner[k].x, inner[k].y)},
+      add_flat(wall,
+               {w.at(outer[k].x, outer[k].y), w.at(outer[n].x, outer[n].y), w.at(inner[n].x, inner[n].y),
+                w.at(inner[k].x, inner[k].y)},
                w.right, up);
       const bool level = k % 2 == 0;
-      add_flat(wall, {w.at(inner[k].x, inner[k].y), w.at(inner[n].x, inner[n].y), w.at(inner[n].x, inner[n].y, -k_reveal),
-                      w.at(inner[k].x, inner[k].y, -k_reveal)},
+      add_flat(wall,
+               {w.at(inner[k].x, inner[k].y), w.at(inner[n].x, inner[n].y), w.at(inner[n].x, inner[n].y, -k_reveal),
+                w.at(inner[k].x, inner[k].y, -k_reveal)},
                level ? w.right : out, level ? out : up);
     }
-    add_flat(filling, {w.at(i.x0, i.y0, -k_reveal), w.at(i.x1, i.y0, -k_reveal), w.at(i.x1, i.y1, -k_reveal), w.at(i.x0, i.y1, -k_reveal)},
-             w.right, up);
+    add_flat(
+        filling,
+        {w.at(i.x0, i.y0, -k_reveal), w.at(i.x1, i.y0, -k_reveal), w.at(i.x1, i.y1, -k_reveal), w.at(i.x0, i.y1, -k_reveal)},
+        w.right, up);
   }
 
   void window(const Wall& w, const Rect& bay, bool front) {
@@ -94,11 +109,16 @@ struct Builder {
     opening(w, bay, {bay.x0 + 0.35f, bay.x1 - 0.35f, bay.y0 + 0.5f, bay.y0 + 2.4f}, glass);
     // An awning on two arms.
     const float y0 = bay.y0 + 2.25f, y1 = bay.y0 + 2.75f, reach = 1.3f;
-    add_flat(cloth, {w.at(bay.x0 + 0.2f, y0, reach), w.at(bay.x1 - 0.2f, y0, reach), w.at(bay.x1 - 0.2f, y1, 0.03f), w.at(bay.x0 + 0.2f, y1, 0.03f)},
+    add_flat(cloth,
+             {w.at(bay.x0 + 0.2f, y0, reach), w.at(bay.x1 - 0.2f, y0, reach), w.at(bay.x1 - 0.2f, y1, 0.03f),
+              w.at(bay.x0 + 0.2f, y1, 0.03f)},
              w.right, vec3(0, 1, 0));
-    add_flat(cloth, {w.at(bay.x0 + 0.2f, y0 - 0.22f, reach), w.at(bay.x1 - 0.2f, y0 - 0.22f, reach), w.at(bay.x1 - 0.2f, y0, reach), w.at(bay.x0 + 0.2f, y0, reach)},
+    add_flat(cloth,
+             {w.at(bay.x0 + 0.2f, y0 - 0.22f, reach), w.at(bay.x1 - 0.2f, y0 - 0.22f, reach), w.at(bay.x1 - 0.2f, y0, reach),
+              w.at(bay.x0 + 0.2f, y0, reach)},
              w.right, vec3(0, 1, 0));
-    for (const float x : {bay.x0 + 0.22f, bay.x1 - 0.26f}) add_wall_box(iron, w, {x, y0 - 0.03f, 0.0f}, {x + 0.04f, y0 + 0.01f, reach});
+    for (const float x : {bay.x0 + 0.22f, bay.x1 - 0.26f})
+      add_wall_box(iron, w, {x, y0 - 0.03f, 0.0f}, {x + 0.04f, y0 + 0.01f, reach});
   }
 
   void balcony(const Wall& w, const Rect& bay) {
@@ -155,7 +175,8 @@ struct Builder {
   void slope(float side) {
     const float over = 0.45f, half = 0.5f * style.width + 0.35f, eaves = style.floor_height * static_cast<float>(style.floors);
     const float run = 0.5f * style.depth, pitch = style.roof_rise / run;
-    const vec3 ridge(0, eaves + style.roof_rise + 0.12f, -run), low(0, eaves - over * pitch + 0.12f, side > 0 ? over : -style.depth - over);
+    const vec3 ridge(0, eaves + style.roof_rise + 0.12f, -run),
+        low(0, eaves - over * pitch + 0.12f, side > 0 ? over : -style.depth - over);
     const vec3 right(side, 0, 0), thick(0, -0.12f, 0);
     const std::array<vec3, 4> top = {low - right * half, low + right * half, ridge + right * half, ridge - right * half};
     const vec3 rise = glm::normalize(ridge - low);
@@ -179,11 +200,13 @@ struct Builder {
 
   void chimney(int index) {
     const float eaves = style.floor_height * static_cast<float>(style.floors), top = eaves + style.roof_rise + 0.9f;
-    const float x = style.width * (index == 0 ? random.range(0.15f, 0.4f) : random.range(-0.4f, -0.15f)), z = -0.38f * style.depth;
+    const float x = style.width * (index == 0 ? random.range(0.15f, 0.4f) : random.range(-0.4f, -0.15f)),
+                z = -0.38f * style.depth;
     add_box(brick, {x - 0.4f, eaves, z - 0.3f}, {x + 0.4f, top, z + 0.3f}, 0.8f);
     add_box(trim, {x - 0.47f, top, z - 0.37f}, {x + 0.47f, top + 0.12f, z + 0.37f}, 0.8f);
     for (const float side : {-0.2f, 0.2f}) {
-      const std::vector<vec2> pot = {{0.15f, top + 0.12f}, {0.11f, top + 0.65f}, {0.08f, top + 0.65f}, {0.08f, top + 0.4f}, {0.0f, top + 0.4f}};
+      const std::vector<vec2> pot = {
+          {0.15f, top + 0.12f}, {0.11f, top + 0.65f}, {0.08f, top + 0.65f}, {0.08f, top + 0.4f}, {0.0f, top + 0.4f}};
       MeshPart lathe;
       add_lathe(lathe, pot, style.joinery ? 10 : 5, {1, 1});
       append(brick, lathe, translation({x + side, 0, z}));
@@ -205,8 +228,10 @@ std::vector<MeshPart> make_house(const HouseMaterials& materials, const HouseSty
   }
   for (const float side : {1.0f, -1.0f}) b.slope(side);
   if (style.tile_rows > 0) {
-    const float ridge = style.floor_height * static_cast<float>(style.floors) + style.roof_rise + 0.17f, half = 0.5f * w + 0.36f;
-    add_tube(b.roof, std::vector<vec3>{{-half, ridge, -0.5f * d}, {half, ridge, -0.5f * d}}, std::vector<float>{0.15f, 0.15f}, 8, 1.0f);
+    const float ridge = style.floor_height * static_cast<float>(style.floors) + style.roof_rise + 0.17f,
+                half = 0.5f * w + 0.36f;
+    add_tube(b.roof, std::vector<vec3>{{-half, ridge, -0.5f * d}, {half, ridge, -0.5f * d}}, std::vector<float>{0.15f, 0.15f},
+             8, 1.0f);
   }
   for (int i = 0; i < style.chimneys; ++i) b.chimney(i);
   if (style.joinery) {  // a string course below the eaves

@@ -21,7 +21,8 @@ struct Materials {
 
 Materials add_materials(Scene& scene) {
   Materials m;
-  const Material wood = textured_material(scene, "wood", wood_texture(256)), stone = textured_material(scene, "limestone", limestone_texture(256));
+  const Material wood = textured_material(scene, "wood", wood_texture(256)),
+                 stone = textured_material(scene, "limestone", limestone_texture(256));
   m.plaster = add_material(scene, plain_material("wall", {0.66f, 0.64f, 0.60f}));
   m.floor = add_material(scene, shiny(tinted(wood, "floor", {0.80f, 0.62f, 0.45f}), 0.10f, 30.0f));
   m.wood = add_material(scene, tinted(wood, "oak", {0.95f, 0.85f, 0.70f}));
@@ -36,11 +37,14 @@ Materials add_materials(Scene& scene) {
   bulb.emissive = vec3(4.0f, 3.4f, 2.6f);
   m.bulb = add_material(scene, bulb);
   m.leaves = add_material(
-      scene, cut_out_material(scene, "leaves", twig_texture(128, {5, 0.45f, 0.20f, 0.9f, {0.25f, 0.45f, 0.20f}, {0.06f, 0.08f, 0.05f}, 201})));
+      scene, cut_out_material(scene, "leaves",
+                              twig_texture(128, {5, 0.45f, 0.20f, 0.9f, {0.25f, 0.45f, 0.20f}, {0.06f, 0.08f, 0.05f}, 201})));
   m.pot = add_material(scene, textured_material(scene, "terracotta", terracotta_texture(128)));
   m.cloth = add_material(scene, plain_material("rug", {0.42f, 0.12f, 0.10f}));
-  const std::array<vec3, 4> spines = {vec3(0.40f, 0.10f, 0.08f), vec3(0.10f, 0.22f, 0.30f), vec3(0.16f, 0.28f, 0.14f), vec3(0.62f, 0.50f, 0.30f)};
-  for (size_t i = 0; i < spines.size(); ++i) m.books[i] = add_material(scene, plain_material("book_" + std::to_string(i), spines[i]));
+  const std::array<vec3, 4> spines = {vec3(0.40f, 0.10f, 0.08f), vec3(0.10f, 0.22f, 0.30f), vec3(0.16f, 0.28f, 0.14f),
+                                      vec3(0.62f, 0.50f, 0.30f)};
+  for (size_t i = 0; i < spines.size(); ++i)
+    m.books[i] = add_material(scene, plain_material("book_" + std::to_string(i), spines[i]));
   return m;
 }
 
@@ -95,11 +99,13 @@ void add_table(Scene& scene, const Materials& m) {
   }
 
   MeshPart stone = part_of(m.stone), clay = part_of(m.pot);
-  const std::vector<vec2> vase = {{0.0f, 0.0f}, {0.06f, 0.0f}, {0.10f, 0.10f}, {0.07f, 0.20f}, {0.035f, 0.26f}, {0.05f, 0.30f}, {0.03f, 0.30f}, {0.02f, 0.2f}, {0.0f, 0.2f}};
+  const std::vector<vec2> vase = {{0.0f, 0.0f},   {0.06f, 0.0f},  {0.10f, 0.10f}, {0.07f, 0.20f}, {0.035f, 0.26f},
+                                  {0.05f, 0.30f}, {0.03f, 0.30f}, {0.02f, 0.2f},  {0.0f, 0.2f}};
   add_lathe(clay, vase, 24, {2, 1});
   add_sphere(stone, {0.45f, 0.07f, 0.1f}, 0.07f, 24, 12, {1, 1});
   add_sphere(stone, {0.58f, 0.05f, 0.2f}, 0.05f, 20, 10, {1, 1});
-  const std::vector<vec2> bowl = {{0.0f, 0.0f}, {0.05f, 0.0f}, {0.13f, 0.08f}, {0.12f, 0.08f}, {0.045f, 0.015f}, {0.0f, 0.015f}};
+  const std::vector<vec2> bowl = {{0.0f, 0.0f},   {0.05f, 0.0f},    {0.13f, 0.08f},
+                                  {0.12f, 0.08f}, {0.045f, 0.015f}, {0.0f, 0.015f}};
   MeshPart dish;
   add_lathe(dish, bowl, 24, {2, 1});
   append(stone, dish, translation({-0.45f, 0, 0.05f}));
@@ -110,7 +116,8 @@ void add_bookshelf(Scene& scene, const Materials& m) {
   MeshPart wood = part_of(m.dark_wood);
   std::array<MeshPart, 4> books = {part_of(m.books[0]), part_of(m.books[1]), part_of(m.books[2]), part_of(m.books[3])};
   constexpr float k_width = 2.4f, k_height = 2.2f, k_depth = 0.32f;
-  for (const float x : {0.0f, 0.5f * k_width - 0.015f, k_width - 0.03f}) add_box(wood, {x, 0, 0}, {x + 0.03f, k_height, k_depth}, 1.0f);
+  for (const float x : {0.0f, 0.5f * k_width - 0.015f, k_width - 0.03f})
+    add_box(wood, {x, 0, 0}, {x + 0.03f, k_height, k_depth}, 1.0f);
   add_box(wood, {0, 0, -0.02f}, {k_width, k_height, 0.0f}, 1.0f);
   Random random(211);
   for (int shelf = 0; shelf <= 5; ++shelf) {
@@ -118,20 +125,24 @@ void add_bookshelf(Scene& scene, const Materials& m) {
     add_box(wood, {0, y, 0}, {k_width, y + 0.03f, k_depth}, 1.0f);
     if (shelf == 5) break;
     for (float x = 0.05f; x < k_width - 0.12f;) {
-      const float thick = random.range(0.02f, 0.06f), high = random.range(0.20f, 0.34f), deep = random.range(0.16f, 0.26f), gap = random.unit();
+      const float thick = random.range(0.02f, 0.06f), high = random.range(0.20f, 0.34f), deep = random.range(0.16f, 0.26f),
+                  gap = random.unit();
       if (std::abs(x + 0.5f * thick - 0.5f * k_width) > 0.06f) {
-        add_box(books[static_cast<size_t>(4.0f * random.unit())], {x, y + 0.03f, 0.02f}, {x + thick, y + 0.03f + high, 0.02f + deep}, 1.0f);
+        add_box(books[static_cast<size_t>(4.0f * random.unit())], {x, y + 0.03f, 0.02f},
+                {x + thick, y + 0.03f + high, 0.02f + deep}, 1.0f);
       }
       x += thick + (gap < 0.10f ? 0.22f : 0.003f);
     }
   }
-  add_object(scene, "bookshelf", add_mesh(scene, "bookshelf", {wood, books[0], books[1], books[2], books[3]}), translation({0.6f, 0, -3.48f}));
+  add_object(scene, "bookshelf", add_mesh(scene, "bookshelf", {wood, books[0], books[1], books[2], books[3]}),
+             translation({0.6f, 0, -3.48f}));
 }
 
 void add_columns(Scene& scene, const Materials& m) {
   MeshPart stone = part_of(m.stone);
-  const std::vector<vec2> profile = {{0.0f, 0.0f},   {0.24f, 0.0f},  {0.24f, 0.12f}, {0.20f, 0.18f}, {0.16f, 0.22f}, {0.16f, 1.2f},
-                                     {0.135f, 2.8f}, {0.17f, 2.85f}, {0.20f, 2.95f}, {0.24f, 3.0f},  {0.24f, 3.4f}};
+  const std::vector<vec2> profile = {{0.0f, 0.0f},   {0.24f, 0.0f}, {0.24f, 0.12f}, {0.20f, 0.18f},
+                                     {0.16f, 0.22f}, {0.16f, 1.2f}, {0.135f, 2.8f}, {0.17f, 2.85f},
+                                     {0.20f, 2.95f}, {0.24f, 3.0f}, {0.24f, 3.4f}};
   add_lathe(stone, profile, 28, {4, 4});
   const int mesh = add_mesh(scene, "column", {stone});
   add_object(scene, "column_west", mesh, translation({-2.1f, 0, -0.9f}));
@@ -147,13 +158,16 @@ void add_gratings(Scene& scene, const Materials& m) {
     const float x = k_width * static_cast<float>(i) / k_bars;
     add_box(iron, {x - 0.009f, 0, -0.009f}, {x + 0.009f, k_height, 0.009f}, 1.0f);
   }
-  for (const float y : {0.05f, 0.5f, 0.95f, 1.4f}) add_box(iron, {-0.03f, y, -0.014f}, {k_width + 0.03f, y + 0.03f, 0.014f}, 1.0f);
+  for (const float y : {0.05f, 0.5f, 0.95f, 1.4f})
+    add_box(iron, {-0.03f, y, -0.014f}, {k_width + 0.03f, y + 0.03f, 0.014f}, 1.0f);
   for (const float x : {-0.03f, k_width}) add_box(iron, {x, -1.1f, -0.02f}, {x + 0.04f, k_height, 0.02f}, 1.0f);
-  add_object(scene, "grating", add_mesh(scene, "grating", {iron}), translation({-4.2f, 1.1f, -1.15f}) * rotation({0, 1, 0}, radians_of(28.0)));
+  add_object(scene, "grating", add_mesh(scene, "grating", {iron}),
+             translation({-4.2f, 1.1f, -1.15f}) * rotation({0, 1, 0}, radians_of(28.0)));
 
   MeshPart sheet = part_of(m.grille);
   add_quad(sheet, {0, 0, 0}, {1.6f, 0, 0}, {1.6f, 1.6f, 0}, {0, 1.6f, 0}, {0, 0}, {1, 1});
-  add_object(scene, "screen", add_mesh(scene, "screen", {sheet}), translation({-3.9f, 0, 2.6f}) * rotation({0, 1, 0}, radians_of(52.0)));
+  add_object(scene, "screen", add_mesh(scene, "screen", {sheet}),
+             translation({-3.9f, 0, 2.6f}) * rotation({0, 1, 0}, radians_of(52.0)));
 
   MeshPart wood = part_of(m.wood);
   for (const float x : {0.0f, 0.42f}) add_box(wood, {x, 0, 0}, {x + 0.05f, 2.9f, 0.04f}, 1.0f);
@@ -167,7 +181,8 @@ void add_gratings(Scene& scene, const Materials& m) {
 
 void add_potted_plant(Scene& scene, const Materials& m) {
   MeshPart pot = part_of(m.pot), leaves = part_of(m.leaves);
-  const std::vector<vec2> profile = {{0.0f, 0.0f}, {0.20f, 0.0f}, {0.28f, 0.40f}, {0.31f, 0.40f}, {0.31f, 0.46f}, {0.26f, 0.46f}, {0.24f, 0.38f}, {0.0f, 0.38f}};
+  const std::vector<vec2> profile = {{0.0f, 0.0f},   {0.20f, 0.0f},  {0.28f, 0.40f}, {0.31f, 0.40f},
+                                     {0.31f, 0.46f}, {0.26f, 0.46f}, {0.24f, 0.38f}, {0.0f, 0.38f}};
   add_lathe(pot, profile, 20, {2, 2});
   append(leaves, make_bush(m.leaves, 0.3f, 1.1f, 60, 0.55f, 221).front(), translation({0, 0.4f, 0}));
   add_object(scene, "potted_plant", add_mesh(scene, "potted_plant", {pot, leaves}), translation({-1.3f, 0, 2.5f}));
@@ -200,8 +215,10 @@ void add_fittings(Scene& scene, const Materials& m, const Light& spot, const Lig
     MeshPart barrel = part_of(m.brass), lens = part_of(m.bulb);
     const float radius = light->kind == LightKind::projector ? light->beam_radius + 0.05f : 0.11f;
     add_tube(barrel, std::vector<vec3>{{0, 0, -0.30f}, {0, 0, -0.02f}}, std::vector<float>{0.8f * radius, radius}, 20, 1.0f);
-    add_tube(lens, std::vector<vec3>{{0, 0, -0.019f}, {0, 0, -0.012f}}, std::vector<float>{0.8f * radius, 0.8f * radius}, 20, 1.0f);
-    add_object(scene, light->name + "_lamp", add_mesh(scene, light->name + "_lamp", {barrel, lens}), facing(light->position, light->direction));
+    add_tube(lens, std::vector<vec3>{{0, 0, -0.019f}, {0, 0, -0.012f}}, std::vector<float>{0.8f * radius, 0.8f * radius}, 20,
+             1.0f);
+    add_object(scene, light->name + "_lamp", add_mesh(scene, light->name + "_lamp", {barrel, lens}),
+               facing(light->position, light->direction));
     scene.objects.back().casts = false;
   }
 }
@@ -234,8 +251,14 @@ Scene make_lamps(const BuiltinOptions&) {
   camera("default", {3.9f, 1.9f, 3.1f}, {-0.9f, 0.75f, -0.7f}, 65.0);
   camera("table", {-0.9f, 1.35f, 1.6f}, {0.6f, 0.7f, -0.3f}, 55.0);
   camera("grating", {0.3f, 1.7f, 2.9f}, {-3.4f, 0.9f, -0.9f}, 60.0);
-  const std::vector<CameraPose> walk = {{{3.9f, 1.9f, 3.1f}, {-0.9f, 0.75f, -0.7f}}, {{1.5f, 1.7f, 2.7f}, {-1.0f, 0.8f, -0.8f}}, {{-1.0f, 1.6f, 1.5f}, {0.6f, 0.8f, -0.8f}}, {{-2.6f, 1.6f, 0.5f}, {1.0f, 0.9f, -2.0f}}};
-  const std::vector<CameraPose> fly = {{{3.9f, 3.0f, 3.0f}, {0.4f, 0.7f, 0.1f}}, {{-0.5f, 2.9f, 3.1f}, {0.4f, 0.7f, 0.1f}}, {{-3.6f, 2.8f, 1.5f}, {0.4f, 0.7f, 0.1f}}, {{-3.0f, 2.8f, -1.9f}, {0.4f, 0.7f, 0.1f}}};
+  const std::vector<CameraPose> walk = {{{3.9f, 1.9f, 3.1f}, {-0.9f, 0.75f, -0.7f}},
+                                        {{1.5f, 1.7f, 2.7f}, {-1.0f, 0.8f, -0.8f}},
+                                        {{-1.0f, 1.6f, 1.5f}, {0.6f, 0.8f, -0.8f}},
+                                        {{-2.6f, 1.6f, 0.5f}, {1.0f, 0.9f, -2.0f}}};
+  const std::vector<CameraPose> fly = {{{3.9f, 3.0f, 3.0f}, {0.4f, 0.7f, 0.1f}},
+                                       {{-0.5f, 2.9f, 3.1f}, {0.4f, 0.7f, 0.1f}},
+                                       {{-3.6f, 2.8f, 1.5f}, {0.4f, 0.7f, 0.1f}},
+                                       {{-3.0f, 2.8f, -1.9f}, {0.4f, 0.7f, 0.1f}}};
   add_paths(scene, walk, fly);
   return scene;
 }

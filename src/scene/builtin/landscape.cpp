@@ -58,8 +58,9 @@ void add_ground(Scene& scene, double detail) {
     for (int column = 0; column < k_tiles; ++column) {
       MeshPart part = part_of(material);
       const double tile = k_side / k_tiles, x0 = -0.5 * k_side + tile * column, z0 = 0.5 * k_side - tile * row;
-      add_surface(part, {cells, cells, false, false, vec2(static_cast<float>(tile / 16.0))},
-                  [&](double u, double v) { return glm::dvec3(x0 + tile * u, height_at(x0 + tile * u, z0 - tile * v), z0 - tile * v); });
+      add_surface(part, {cells, cells, false, false, vec2(static_cast<float>(tile / 16.0))}, [&](double u, double v) {
+        return glm::dvec3(x0 + tile * u, height_at(x0 + tile * u, z0 - tile * v), z0 - tile * v);
+      });
       const std::string name = "ground_" + std::to_string(row) + "_" + std::to_string(column);
       add_object(scene, name, add_mesh(scene, name, {std::move(part)}));
       paint(scene.meshes.back().parts.front());
@@ -71,9 +72,11 @@ void add_ground(Scene& scene, double detail) {
 void add_trees(Scene& scene, double detail) {
   const int bark = add_material(scene, textured_material(scene, "bark", bark_texture(128)));
   const int leaves = add_material(
-      scene, cut_out_material(scene, "leaves", twig_texture(128, {5, 0.42f, 0.19f, 0.95f, {0.40f, 0.50f, 0.22f}, {0.08f, 0.09f, 0.05f}, 34})));
+      scene, cut_out_material(scene, "leaves",
+                              twig_texture(128, {5, 0.42f, 0.19f, 0.95f, {0.40f, 0.50f, 0.22f}, {0.08f, 0.09f, 0.05f}, 34})));
   const int needles = add_material(
-      scene, cut_out_material(scene, "needles", twig_texture(128, {14, 0.36f, 0.06f, 0.75f, {0.20f, 0.33f, 0.20f}, {0.05f, 0.06f, 0.04f}, 35})));
+      scene, cut_out_material(scene, "needles",
+                              twig_texture(128, {14, 0.36f, 0.06f, 0.75f, {0.20f, 0.33f, 0.20f}, {0.05f, 0.06f, 0.04f}, 35})));
   const std::array<int, 4> meshes = {
       add_mesh(scene, "oak", make_broadleaf(bark, leaves, {12.0f, 4.6f, scaled(120, detail, 12), 2.6f, 6, 41})),
       add_mesh(scene, "birch", make_broadleaf(bark, leaves, {10.0f, 2.8f, scaled(96, detail, 12), 1.8f, 6, 42})),
@@ -99,8 +102,10 @@ void add_trees(Scene& scene, double detail) {
 
 // Farms in the valley, and a hamlet on a rise.
 void add_houses(Scene& scene, double detail) {
-  const Material tiles = textured_material(scene, "terracotta", terracotta_texture(128)), wood = textured_material(scene, "wood", wood_texture(128));
-  const Material plaster = textured_material(scene, "plaster", plaster_texture(256)), stone = textured_material(scene, "limestone", limestone_texture(128));
+  const Material tiles = textured_material(scene, "terracotta", terracotta_texture(128)),
+                 wood = textured_material(scene, "wood", wood_texture(128));
+  const Material plaster = textured_material(scene, "plaster", plaster_texture(256)),
+                 stone = textured_material(scene, "limestone", limestone_texture(128));
   Material roof = tiles;
   roof.double_sided = true;
   HouseMaterials m;
@@ -113,11 +118,14 @@ void add_houses(Scene& scene, double detail) {
   std::array<int, 4> meshes;
   for (size_t i = 0; i < meshes.size(); ++i) {
     const auto n = static_cast<float>(i);
-    m.wall = add_material(scene, tinted(plaster, "house_wall_" + std::to_string(i), i % 2 == 0 ? vec3(0.95f, 0.92f, 0.85f) : vec3(0.85f, 0.66f, 0.50f)));
+    m.wall = add_material(scene, tinted(plaster, "house_wall_" + std::to_string(i),
+                                        i % 2 == 0 ? vec3(0.95f, 0.92f, 0.85f) : vec3(0.85f, 0.66f, 0.50f)));
     HouseStyle style;
-    style.width = 9.0f + 3.0f * n, style.depth = 8.0f + n, style.floors = 1 + static_cast<int>(i % 2), style.bays = 3 + static_cast<int>(i);
+    style.width = 9.0f + 3.0f * n, style.depth = 8.0f + n, style.floors = 1 + static_cast<int>(i % 2),
+    style.bays = 3 + static_cast<int>(i);
     style.roof_rise = 3.2f + 0.4f * n, style.joinery = detail >= 0.3, style.seed = 90 + static_cast<uint32_t>(i);
-    style.tile_rows = static_cast<int>(8 * std::sqrt(detail)), style.tile_columns = std::max(1, static_cast<int>(16 * std::sqrt(detail)));
+    style.tile_rows = static_cast<int>(8 * std::sqrt(detail)),
+    style.tile_columns = std::max(1, static_cast<int>(16 * std::sqrt(detail)));
     meshes[i] = add_mesh(scene, "house_" + std::to_string(i), make_house(m, style));
   }
   Random random(71);
@@ -130,7 +138,9 @@ void add_houses(Scene& scene, double detail) {
     const float turn = 360.0f * random.unit();
     if (slope_at(x, z) > 0.18 || glm::length(glm::dvec2(x - 5.0, z - 50.0)) < 60.0) continue;
     const vec3 at = on_ground(x, z, 0.0);
-    const auto too_close = [&](const Object& o) { return o.name.starts_with("house") && glm::length(vec3(o.world_from_object[3]) - at) < 21.0f; };
+    const auto too_close = [&](const Object& o) {
+      return o.name.starts_with("house") && glm::length(vec3(o.world_from_object[3]) - at) < 21.0f;
+    };
     if (std::any_of(scene.objects.begin(), scene.objects.end(), too_close)) continue;
     // On the lowest corner's height, so that no wall hangs in the air.
     float low = at.y;
@@ -181,8 +191,15 @@ Scene make_landscape(const BuiltinOptions& options) {
   camera("ground", on_ground(30.0, -95.0) + vec3(0, 1.8f, 0), hamlet + vec3(0, 4, 0), 60.0, 0.2f, 2500.0f);
   camera("summit", vec3(330.0f, 330.0f, 560.0f), on_ground(40.0, -400.0), 50.0, 1.0f, 4500.0f);
   const auto above = [](double x, double z, float height) { return on_ground(x, z) + vec3(0, height, 0); };
-  const std::vector<CameraPose> walk = {{above(5.0, 60.0, 12.0f), hamlet}, {above(0.0, 10.0, 6.0f), hamlet}, {above(-5.0, -40.0, 3.0f), hamlet}, {above(10.0, -85.0, 3.0f), above(40.0, -260.0, 5.0f)}};
-  const std::vector<CameraPose> fly = {{above(5.0, 120.0, 40.0f), hamlet}, {above(-120.0, -120.0, 90.0f), above(0.0, -400.0, 0.0f)}, {above(0.0, -420.0, 120.0f), above(60.0, -800.0, 20.0f)}, {above(140.0, -700.0, 140.0f), above(60.0, -1200.0, 60.0f)}, {above(60.0, -1100.0, 120.0f), above(0.0, -1700.0, 100.0f)}};
+  const std::vector<CameraPose> walk = {{above(5.0, 60.0, 12.0f), hamlet},
+                                        {above(0.0, 10.0, 6.0f), hamlet},
+                                        {above(-5.0, -40.0, 3.0f), hamlet},
+                                        {above(10.0, -85.0, 3.0f), above(40.0, -260.0, 5.0f)}};
+  const std::vector<CameraPose> fly = {{above(5.0, 120.0, 40.0f), hamlet},
+                                       {above(-120.0, -120.0, 90.0f), above(0.0, -400.0, 0.0f)},
+                                       {above(0.0, -420.0, 120.0f), above(60.0, -800.0, 20.0f)},
+                                       {above(140.0, -700.0, 140.0f), above(60.0, -1200.0, 60.0f)},
+                                       {above(60.0, -1100.0, 120.0f), above(0.0, -1700.0, 100.0f)}};
   add_paths(scene, walk, fly);
   return scene;
 }

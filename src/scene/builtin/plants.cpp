@@ -59,7 +59,8 @@ std::vector<MeshPart> make_conifer(int bark_material, int leaf_material, const T
   for (int i = 0; i < style.cards; ++i) {
     const float t = (static_cast<float>(i) + random.unit()) / static_cast<float>(style.cards);  // up the tree
     // Whorls of boughs that get shorter upward.
-    const float tier = 0.75f + 0.25f * (7.0f * t - std::floor(7.0f * t)), girth = style.crown * (1.0f - t) * (1.35f - tier * 0.5f);
+    const float tier = 0.75f + 0.25f * (7.0f * t - std::floor(7.0f * t)),
+                girth = style.crown * (1.0f - t) * (1.35f - tier * 0.5f);
     const vec2 around(unit_circle(2.39996323 * i));
     const vec3 out(around.x, 0, around.y);
     const vec3 foot = vec3(0, h * (0.12f + 0.80f * t), 0) + out * girth * random.range(0.25f, 0.6f);
@@ -76,7 +77,8 @@ std::vector<MeshPart> make_bush(int leaf_material, float radius, float height, i
     const vec2 around(unit_circle(2.39996323 * i));
     const float away = radius * std::sqrt(random.unit());
     const vec3 foot(away * around.x, height * random.range(-0.08f, 0.45f), away * around.y);
-    const vec3 up = glm::normalize(vec3(0.7f * around.x * away / radius, 1.0f, 0.7f * around.y * away / radius) + 0.2f * random.on_sphere());
+    const vec3 up = glm::normalize(vec3(0.7f * around.x * away / radius, 1.0f, 0.7f * around.y * away / radius) +
+                                   0.2f * random.on_sphere());
     add_card(leaves, foot, up, card * random.range(0.75f, 1.2f), random);
   }
   return {leaves};

@@ -16,9 +16,9 @@ namespace {
 constexpr int k_first_block = -2, k_blocks = 15;          // from behind the viewer to the horizon
 constexpr float k_block = 84.0f, k_cross_street = 12.0f;  // metres along Z
 constexpr float k_period = k_block + k_cross_street;
-constexpr float k_front = 8.0f;                           // of the houses along the main street
-constexpr float k_outer = 58.0f;                          // of those along the parallel streets, which face outward
-constexpr float k_near = -205.0f;                         // houses beyond it have fewer triangles
+constexpr float k_front = 8.0f;    // of the houses along the main street
+constexpr float k_outer = 58.0f;   // of those along the parallel streets, which face outward
+constexpr float k_near = -205.0f;  // houses beyond it have fewer triangles
 
 // South end of a block; its houses lie between that and `k_block` farther north (-Z).
 float block_south(int block) { return -k_period * static_cast<float>(block); }
@@ -46,7 +46,8 @@ class Town {
   int leaves(int count) const { return std::max(6, static_cast<int>(count * detail_ + 0.5)); }
 
   void place(const std::string& name, int mesh, const vec3& at, double turn_degrees, float size = 1.0f) {
-    add_object(scene_, name, mesh, translation(at) * rotation({0, 1, 0}, radians_of(turn_degrees)) * glm::scale(mat4(1.0f), vec3(size)));
+    add_object(scene_, name, mesh,
+               translation(at) * rotation({0, 1, 0}, radians_of(turn_degrees)) * glm::scale(mat4(1.0f), vec3(size)));
   }
   // Several of one mesh, numbered.
   void place_numbered(const std::string& kind, int mesh, const vec3& at, double turn_degrees, float size = 1.0f) {
@@ -72,7 +73,8 @@ class Town {
       const std::string name = "house_" + std::to_string(counts_["house"]++);
       const float setback = outward ? random.range(0.0f, 2.5f) : 0.0f;
       const double turn = (side > 0) == outward ? 90.0 : -90.0;
-      place(name, add_mesh(scene_, name, make_house(materials, style)), {side * (front + (outward ? -setback : setback)), 0, middle}, turn);
+      place(name, add_mesh(scene_, name, make_house(materials, style)),
+            {side * (front + (outward ? -setback : setback)), 0, middle}, turn);
       z -= width;
     }
   }
@@ -106,7 +108,8 @@ class Town {
       const float z = south - 9.0f - 22.0f * static_cast<float>(i);
       for (const float side : {-1.0f, 1.0f}) {
         const float turn = 360.0f * random.unit();
-        place_numbered("street_tree", mesh("street_tree_" + std::to_string((i + block + 2) % 2)), {side * 5.4f, 0.12f, z}, turn, random.range(0.85f, 1.15f));
+        place_numbered("street_tree", mesh("street_tree_" + std::to_string((i + block + 2) % 2)), {side * 5.4f, 0.12f, z}, turn,
+                       random.range(0.85f, 1.15f));
       }
     }
     for (int i = 0; i < 3; ++i) {
@@ -114,7 +117,8 @@ class Town {
       place_numbered("lamp_post", mesh("lamp_post"), {side * 4.6f, 0.12f, south - 19.0f - 27.0f * static_cast<float>(i)}, 0.0);
     }
     for (const float side : {-1.0f, 1.0f}) {
-      place_numbered("bench", mesh("bench"), {side * 6.6f, 0.12f, south - 26.0f - 30.0f * random.unit()}, side > 0 ? -90.0 : 90.0);
+      place_numbered("bench", mesh("bench"), {side * 6.6f, 0.12f, south - 26.0f - 30.0f * random.unit()},
+                     side > 0 ? -90.0 : 90.0);
       place_numbered("planter", mesh("planter"), {side * 6.9f, 0.12f, south - 4.0f}, 0.0);
       for (int i = 0; i < 2; ++i) {
         const std::string kind = "car_" + std::to_string(static_cast<int>(4.0f * random.unit()));
@@ -129,7 +133,8 @@ class Town {
     Random random(static_cast<uint32_t>(700 + block));
     for (const float side : {-1.0f, 1.0f}) {
       for (int i = 0; i < 4; ++i) {
-        const float x = side * random.range(27.0f, 39.0f), z = south - 10.0f - 21.0f * static_cast<float>(i) - random.range(-6.0f, 6.0f);
+        const float x = side * random.range(27.0f, 39.0f),
+                    z = south - 10.0f - 21.0f * static_cast<float>(i) - random.range(-6.0f, 6.0f);
         const std::string kind = i % 3 == 2 ? "conifer" : "garden_tree";
         const float turn = 360.0f * random.unit();
         const bool beside_crane = side < 0 && glm::length(vec2(x + 27.0f, z + 52.0f)) < 6.0f;
@@ -214,8 +219,10 @@ class Town {
 
 TownMaterials add_town_materials(Scene& scene) {
   TownMaterials m;
-  const Material plaster = textured_material(scene, "plaster", plaster_texture(256)), stone = textured_material(scene, "limestone", limestone_texture(256));
-  const Material masonry = textured_material(scene, "masonry", masonry_texture(256)), wood = textured_material(scene, "wood", wood_texture(128));
+  const Material plaster = textured_material(scene, "plaster", plaster_texture(256)),
+                 stone = textured_material(scene, "limestone", limestone_texture(256));
+  const Material masonry = textured_material(scene, "masonry", masonry_texture(256)),
+                 wood = textured_material(scene, "wood", wood_texture(128));
   Material tiles = textured_material(scene, "terracotta", terracotta_texture(128));
   tiles.double_sided = true;  // tiles are sheets
   const auto add = [&](const Material& material) { return add_material(scene, material); };
@@ -233,14 +240,21 @@ TownMaterials add_town_materials(Scene& scene) {
   Material lamp = plain_material("lamp_glass", {0.8f, 0.78f, 0.7f});
   lamp.emissive = vec3(0.15f, 0.13f, 0.1f);
   m.lamp = add(lamp);
-  m.leaves = add(cut_out_material(scene, "leaves", twig_texture(128, {5, 0.42f, 0.19f, 0.95f, {0.36f, 0.50f, 0.22f}, {0.08f, 0.09f, 0.05f}, 24})));
-  m.needles = add(cut_out_material(scene, "needles", twig_texture(128, {14, 0.36f, 0.06f, 0.75f, {0.20f, 0.33f, 0.20f}, {0.05f, 0.06f, 0.04f}, 25})));
-  m.shrub = add(cut_out_material(scene, "shrub", twig_texture(128, {6, 0.40f, 0.15f, 0.95f, {0.30f, 0.45f, 0.18f}, {0.07f, 0.08f, 0.05f}, 26})));
+  m.leaves = add(cut_out_material(
+      scene, "leaves", twig_texture(128, {5, 0.42f, 0.19f, 0.95f, {0.36f, 0.50f, 0.22f}, {0.08f, 0.09f, 0.05f}, 24})));
+  m.needles = add(cut_out_material(
+      scene, "needles", twig_texture(128, {14, 0.36f, 0.06f, 0.75f, {0.20f, 0.33f, 0.20f}, {0.05f, 0.06f, 0.04f}, 25})));
+  m.shrub = add(cut_out_material(
+      scene, "shrub", twig_texture(128, {6, 0.40f, 0.15f, 0.95f, {0.30f, 0.45f, 0.18f}, {0.07f, 0.08f, 0.05f}, 26})));
   m.roof = add(tiles);
-  const int slate = add(tinted(tiles, "slate", {0.45f, 0.52f, 0.62f})), brick = add(tinted(masonry, "brick", {0.80f, 0.45f, 0.34f}));
-  const std::vector<vec3> plasters = {{0.95f, 0.93f, 0.88f}, {0.98f, 0.80f, 0.55f}, {0.90f, 0.62f, 0.48f}, {0.62f, 0.78f, 0.95f}, {0.72f, 0.88f, 0.72f}};
-  const std::vector<vec3> joinery = {{0.25f, 0.42f, 0.35f}, {0.40f, 0.20f, 0.14f}, {0.22f, 0.33f, 0.52f}, {0.85f, 0.84f, 0.80f}, {0.35f, 0.36f, 0.38f}};
-  const std::vector<vec3> cloths = {{0.70f, 0.10f, 0.08f}, {0.10f, 0.30f, 0.20f}, {0.85f, 0.80f, 0.70f}, {0.12f, 0.20f, 0.45f}, {0.85f, 0.55f, 0.10f}};
+  const int slate = add(tinted(tiles, "slate", {0.45f, 0.52f, 0.62f})),
+            brick = add(tinted(masonry, "brick", {0.80f, 0.45f, 0.34f}));
+  const std::vector<vec3> plasters = {
+      {0.95f, 0.93f, 0.88f}, {0.98f, 0.80f, 0.55f}, {0.90f, 0.62f, 0.48f}, {0.62f, 0.78f, 0.95f}, {0.72f, 0.88f, 0.72f}};
+  const std::vector<vec3> joinery = {
+      {0.25f, 0.42f, 0.35f}, {0.40f, 0.20f, 0.14f}, {0.22f, 0.33f, 0.52f}, {0.85f, 0.84f, 0.80f}, {0.35f, 0.36f, 0.38f}};
+  const std::vector<vec3> cloths = {
+      {0.70f, 0.10f, 0.08f}, {0.10f, 0.30f, 0.20f}, {0.85f, 0.80f, 0.70f}, {0.12f, 0.20f, 0.45f}, {0.85f, 0.55f, 0.10f}};
   for (size_t i = 0; i < plasters.size(); ++i) {
     const std::string number = std::to_string(i);
     HouseMaterials house;
@@ -254,7 +268,8 @@ TownMaterials add_town_materials(Scene& scene) {
     m.houses.push_back(house);
   }
   const std::vector<vec3> paints = {{0.55f, 0.04f, 0.04f}, {0.10f, 0.20f, 0.45f}, {0.75f, 0.76f, 0.78f}, {0.85f, 0.83f, 0.75f}};
-  for (size_t i = 0; i < paints.size(); ++i) m.cars.push_back(add(shiny(plain_material("car_paint_" + std::to_string(i), paints[i]), 0.5f, 80.0f)));
+  for (size_t i = 0; i < paints.size(); ++i)
+    m.cars.push_back(add(shiny(plain_material("car_paint_" + std::to_string(i), paints[i]), 0.5f, 80.0f)));
   return m;
 }
 
@@ -277,8 +292,15 @@ Scene make_town(const BuiltinOptions& options) {
   camera("street", {-6.0f, 1.75f, 4.0f}, {1.5f, 2.2f, -40.0f}, 60.0, 1800.0f);
   camera("roofs", {30.0f, 42.0f, 60.0f}, {-4.0f, 0.0f, -110.0f}, 50.0, 2200.0f);
   camera("garden", {34.0f, 2.0f, -6.0f}, {29.0f, 2.0f, -60.0f}, 60.0, 1800.0f);
-  const std::vector<CameraPose> walk = {{{-1.5f, 1.75f, 14.0f}, {-1.0f, 2.0f, -30.0f}}, {{-1.0f, 1.75f, -20.0f}, {1.0f, 3.0f, -60.0f}}, {{1.0f, 1.75f, -60.0f}, {-2.0f, 4.0f, -110.0f}}, {{0.0f, 1.75f, -120.0f}, {0.0f, 2.0f, -200.0f}}};
-  const std::vector<CameraPose> fly = {{{2.0f, 20.0f, 90.0f}, {0.0f, 5.0f, 0.0f}}, {{12.0f, 30.0f, 40.0f}, {0.0f, 0.0f, -40.0f}}, {{-5.0f, 48.0f, -40.0f}, {0.0f, 0.0f, -140.0f}}, {{5.0f, 24.0f, -160.0f}, {0.0f, 0.0f, -280.0f}}, {{0.0f, 14.0f, -260.0f}, {0.0f, 2.0f, -420.0f}}};
+  const std::vector<CameraPose> walk = {{{-1.5f, 1.75f, 14.0f}, {-1.0f, 2.0f, -30.0f}},
+                                        {{-1.0f, 1.75f, -20.0f}, {1.0f, 3.0f, -60.0f}},
+                                        {{1.0f, 1.75f, -60.0f}, {-2.0f, 4.0f, -110.0f}},
+                                        {{0.0f, 1.75f, -120.0f}, {0.0f, 2.0f, -200.0f}}};
+  const std::vector<CameraPose> fly = {{{2.0f, 20.0f, 90.0f}, {0.0f, 5.0f, 0.0f}},
+                                       {{12.0f, 30.0f, 40.0f}, {0.0f, 0.0f, -40.0f}},
+                                       {{-5.0f, 48.0f, -40.0f}, {0.0f, 0.0f, -140.0f}},
+                                       {{5.0f, 24.0f, -160.0f}, {0.0f, 0.0f, -280.0f}},
+                                       {{0.0f, 14.0f, -260.0f}, {0.0f, 2.0f, -420.0f}}};
   add_paths(scene, walk, fly);
   return scene;
 }

@@ -22,7 +22,8 @@ void add_bar(MeshPart& part, const vec3& from, const vec3& to, float half) {
 }
 
 // Four chords with diagonals, square in section, from the origin along `along`; `side` and `other` span the section.
-void add_lattice(MeshPart& part, const vec3& from, const vec3& along, const vec3& side, const vec3& other, float half, int cells, float cell) {
+void add_lattice(MeshPart& part, const vec3& from, const vec3& along, const vec3& side, const vec3& other, float half,
+                 int cells, float cell) {
   const auto corner = [&](int i, int k) {
     const float x = k == 0 || k == 3 ? -half : half, y = k < 2 ? -half : half;
     return from + along * (cell * static_cast<float>(i)) + side * x + other * y;
@@ -31,7 +32,8 @@ void add_lattice(MeshPart& part, const vec3& from, const vec3& along, const vec3
     add_bar(part, corner(0, k), corner(cells, k), 0.07f);
     for (int i = 0; i < cells; ++i) {
       const int next = (k + 1) % 4;
-      i % 2 == 0 ? add_bar(part, corner(i, k), corner(i + 1, next), 0.04f) : add_bar(part, corner(i, next), corner(i + 1, k), 0.04f);
+      i % 2 == 0 ? add_bar(part, corner(i, k), corner(i + 1, next), 0.04f)
+                 : add_bar(part, corner(i, next), corner(i + 1, k), 0.04f);
       add_bar(part, corner(i + 1, k), corner(i + 1, next), 0.035f);
     }
   }
@@ -81,14 +83,19 @@ std::vector<MeshPart> make_bench(const TownMaterials& m) {
 std::vector<MeshPart> make_car(const TownMaterials& m, int paint, bool van, double detail) {
   MeshPart body = part_of(paint), glass = part_of(m.glass), rubber = part_of(m.asphalt);
   const float roof = van ? 1.95f : 1.45f, tail = van ? -2.1f : -1.35f, nose = van ? 1.35f : 0.55f;
-  add_prism(body, {{-2.2f, 0.28f}, {2.15f, 0.28f}, {2.25f, 0.5f}, {2.15f, 0.78f}, {1.2f, 0.92f}, {-2.15f, 0.95f}, {-2.28f, 0.6f}}, -0.86f, 0.86f, 0.5f);
+  add_prism(body,
+            {{-2.2f, 0.28f}, {2.15f, 0.28f}, {2.25f, 0.5f}, {2.15f, 0.78f}, {1.2f, 0.92f}, {-2.15f, 0.95f}, {-2.28f, 0.6f}},
+            -0.86f, 0.86f, 0.5f);
   add_prism(body, {{tail - 0.45f, 0.9f}, {nose + 0.75f, 0.88f}, {nose, roof}, {tail, roof}}, -0.74f, 0.74f, 0.5f);
   // Panes stand a little proud of the cabin.
-  add_prism(glass, {{tail - 0.25f, 0.98f}, {nose + 0.45f, 0.98f}, {nose - 0.08f, roof - 0.1f}, {tail + 0.05f, roof - 0.1f}}, -0.755f, 0.755f, 0.5f);
+  add_prism(glass, {{tail - 0.25f, 0.98f}, {nose + 0.45f, 0.98f}, {nose - 0.08f, roof - 0.1f}, {tail + 0.05f, roof - 0.1f}},
+            -0.755f, 0.755f, 0.5f);
   const float slant = (roof - 0.9f) / 0.75f;
-  add_quad(glass, {nose + 0.66f, 0.98f, 0.64f}, {nose + 0.66f, 0.98f, -0.64f}, {nose + 0.66f - (roof - 1.08f) / slant, roof - 0.1f, -0.58f},
+  add_quad(glass, {nose + 0.66f, 0.98f, 0.64f}, {nose + 0.66f, 0.98f, -0.64f},
+           {nose + 0.66f - (roof - 1.08f) / slant, roof - 0.1f, -0.58f},
            {nose + 0.66f - (roof - 1.08f) / slant, roof - 0.1f, 0.58f}, {0, 0}, {1, 1});
-  const std::vector<vec2> wheel = {{0.0f, -0.11f}, {0.20f, -0.11f}, {0.33f, -0.10f}, {0.33f, 0.10f}, {0.20f, 0.11f}, {0.0f, 0.10f}};
+  const std::vector<vec2> wheel = {{0.0f, -0.11f}, {0.20f, -0.11f}, {0.33f, -0.10f},
+                                   {0.33f, 0.10f}, {0.20f, 0.11f},  {0.0f, 0.10f}};
   const int round = scaled(14, detail, 8);
   for (const float x : {-1.4f, 1.4f}) {
     for (const float z : {-0.8f, 0.8f}) {
@@ -97,7 +104,8 @@ std::vector<MeshPart> make_car(const TownMaterials& m, int paint, bool van, doub
       append(rubber, disc, translation({x, 0.33f, z}) * rotation({1, 0, 0}, radians_of(z > 0 ? 90.0 : -90.0)));
     }
   }
-  for (const float z : {-0.92f, 0.82f}) add_box(body, {nose + 0.35f, 1.0f, z}, {nose + 0.48f, 1.12f, z + 0.1f}, 1.0f);  // mirrors
+  for (const float z : {-0.92f, 0.82f})
+    add_box(body, {nose + 0.35f, 1.0f, z}, {nose + 0.48f, 1.12f, z + 0.1f}, 1.0f);  // mirrors
   return {body, glass, rubber};
 }
 
@@ -123,7 +131,8 @@ std::vector<MeshPart> make_planter(const TownMaterials& m, double detail) {
 }
 
 std::vector<MeshPart> make_tower(const TownMaterials& m, double detail) {
-  MeshPart wall = part_of(m.masonry), trim = part_of(m.stone), roof = part_of(m.roof), iron = part_of(m.iron), glass = part_of(m.glass);
+  MeshPart wall = part_of(m.masonry), trim = part_of(m.stone), roof = part_of(m.roof), iron = part_of(m.iron),
+           glass = part_of(m.glass);
   add_box(wall, {-4.5f, -0.5f, -4.5f}, {4.5f, 6.0f, 4.5f}, 0.4f);
   add_box(wall, {-3.8f, 6.0f, -3.8f}, {3.8f, 36.0f, 3.8f}, 0.4f);
   for (const float y : {6.0f, 16.0f, 26.0f, 36.0f}) add_box(trim, {-4.1f, y, -4.1f}, {4.1f, y + 0.4f, 4.1f}, 0.5f);
@@ -166,7 +175,8 @@ std::vector<MeshPart> make_crane(const TownMaterials& m, double detail) {
   const float height = 36.0f, jib = 34.0f;
   add_lattice(paint, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0.7f, cells, height / static_cast<float>(cells));
   add_lattice(paint, {-0.7f, height, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.55f, cells, jib / static_cast<float>(cells));
-  add_lattice(paint, {0.7f, height, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.55f, std::max(3, cells / 3), 12.0f / static_cast<float>(std::max(3, cells / 3)));
+  add_lattice(paint, {0.7f, height, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.55f, std::max(3, cells / 3),
+              12.0f / static_cast<float>(std::max(3, cells / 3)));
   add_lattice(paint, {0, height, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0.4f, 3, 1.8f);
   add_box(stone, {-11.5f, height - 2.2f, -0.6f}, {-9.0f, height - 0.5f, 0.6f}, 0.5f);
   add_box(stone, {-2.5f, -0.3f, -2.5f}, {2.5f, 0.6f, 2.5f}, 0.5f);
