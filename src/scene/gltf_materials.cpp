@@ -31,6 +31,11 @@ float shininess_of(float roughness) {
   return std::clamp(2.0f / (alpha * alpha) - 2.0f, 1.0f, 2048.0f);
 }
 
+bool names_base_colour_texture(const GltfValue& material) {
+  const auto pbr = material.object("pbrMetallicRoughness"), glossiness = material.extension("KHR_materials_pbrSpecularGlossiness");
+  return glossiness ? glossiness->object("diffuseTexture").has_value() : pbr && pbr->object("baseColorTexture");
+}
+
 }  // namespace
 
 GltfMaterials::GltfMaterials(GltfDocument& document, Scene& scene) : document_(document), scene_(scene) {
@@ -43,6 +48,7 @@ GltfMaterials::GltfMaterials(GltfDocument& document, Scene& scene) : document_(d
   for (const GltfValue& material : root.objects("materials")) read_material(material);
   decode_pictures();
   settle_coverage();
+  warn_of_lost_cutouts();
 }
 
 int GltfMaterials::default_material() {
@@ -147,6 +153,7 @@ void GltfMaterials::read_material(const GltfValue& json) {
   } else if (mode != "OPAQUE") {
     json.fail_in("alphaMode", "is \"{}\"; valid: OPAQUE, MASK, BLEND", mode);
   }
+  if (mode != "OPAQUE" && material.base_colour_texture == k_no_texture && names_base_colour_texture(json)) without_cutouts_.push_back(material.name);
 
   material.emissive = json.vector<3>("emissiveFactor", vec3(0.0f));
   if (const auto strength = json.extension("KHR_materials_emissive_strength")) {
@@ -217,6 +224,16 @@ void GltfMaterials::settle_coverage() {
     if (material.masked && !texture_has_holes(material) && material.base_colour.w >= material.alpha_cutoff)
       material.masked = false;
   }
+}
+
+// A lost colour is no matter for shadows; a lost alpha channel is.
+void GltfMaterials::warn_of_lost_cutouts() const {
+  if (without_cutouts_.empty()) return;
+  constexpr size_t k_shown = 3;
+  std::string list;
+  for (size_t i = 0; i < std::min(without_cutouts_.size(), k_shown); ++i) list += (i ? ", " : "") + without_cutouts_[i];
+  if (without_cutouts_.size() > k_shown) list += fmt::format(" and {} more", without_cutouts_.size() - k_shown);
+  log_warning("{}: alpha-tested materials without their texture: {}; their cut-outs are lost: they cast as solid sheets", document_.name(), list);
 }
 
 }  // namespace gnomon

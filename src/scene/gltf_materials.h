@@ -39,6 +39,7 @@ class GltfMaterials {
   void load_picture(Picture& picture, const GltfValue& json);
   void decode_pictures();
   void settle_coverage();
+  void warn_of_lost_cutouts() const;
 
   struct Sampled {
     int image = -1;
@@ -53,6 +54,7 @@ class GltfMaterials {
   std::vector<int> picture_of_texture_;  // scene texture -> image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> made_;
   std::vector<int> uv_sets_, blended_;
+  std::vector<std::string> without_cutouts_;  // masked or blended materials whose texture is not there
   int default_material_ = -1;
 };
 

@@ -106,6 +106,10 @@ class Libraries {
   std::vector<tinyobj::material_t> materials_;
 };
 
+// Which of them had holes only the missing picture knows.
+constexpr std::string_view k_without_picture =
+    "their materials keep their plain colour; cut-outs in them are lost, so a leaf or a fence casts as a solid sheet";
+
 // --- pictures --------------------------------------------------------------------------------------------------------
 
 // Every picture that the materials name, read once and on all cores.
@@ -123,7 +127,7 @@ class Pictures {
         missing.push_back(name);
       }
     }
-    warn_missing(source, "missing textures", missing, "their materials keep their plain colour");
+    warn_missing(source, "missing textures", missing, k_without_picture);
     Progress progress("reading textures", work.size());
     parallel_for(work.size(), progress, [&](size_t i) {
       Entry& entry = *work[i].second;
@@ -136,7 +140,7 @@ class Pictures {
     });
     for (const auto& [name, entry] : work) {
       if (entry->problem.empty()) continue;
-      log_warning("{}; its materials keep their plain colour", entry->problem);
+      log_warning("{}; {}", entry->problem, k_without_picture);
       entries_.erase(*name);
     }
   }
@@ -259,7 +263,7 @@ void add_obj_materials(Scene& scene, const std::string& source, const fs::path& 
                        const std::vector<std::string>& libraries, const std::vector<std::string>& names) {
   const Libraries library(source, folder, libraries);
   std::set<std::string> pictures;
-  std::vector<std::string> missing;
+  std::vector<std::string> missing, solid;
   for (const std::string& name : names) {
     if (const auto* mtl = library.find(name)) {
       for (const std::string& picture : {mtl->diffuse_texname, mtl->alpha_texname, mtl->normal_texname, mtl->bump_texname}) {
@@ -278,8 +282,10 @@ void add_obj_materials(Scene& scene, const std::string& source, const fs::path& 
     Material material = mtl && !name.empty() ? maker.make(*mtl) : Material{};
     material.name = name.empty() ? "default" : name;
     material.double_sided = true;  // the format knows no culling, and files wind their faces as they like
+    if (mtl && !mtl->alpha_texname.empty() && !material.masked) solid.push_back(material.name);
     scene.materials.push_back(std::move(material));
   }
+  warn_missing(source, "alpha-tested materials without their texture", solid, "their cut-outs are lost: they cast as solid sheets");
 }
 
 }  // namespace gnomon

@@ -1,11 +1,27 @@
 """Scenes from files, whole and damaged: a picture or a message, never a signal."""
+import base64
 import csv
+import json
+import struct
 import subprocess
 import unittest
 
 from program import FAILURE, OK, PROGRAM, QUICK, SHARED_SCENES, Case
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+
+
+def gltf_triangle(material):
+    """A triangle whose texture's file is not there."""
+    data = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+    return {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+        "materials": [material], "textures": [{"source": 0}], "images": [{"uri": "lost.png"}],
+        "buffers": [{"uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode(), "byteLength": 36}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+    }
 
 
 class Scenes(Case):
@@ -26,6 +42,17 @@ class Scenes(Case):
             self.refused("render", self.folder / name, "-o", self.folder / "x.png", *QUICK, expect=FAILURE, says=[name])
         (self.folder / "folder.obj").mkdir()
         self.refused("render", self.folder / "folder.obj", "-o", self.folder / "x.png", *QUICK, expect=FAILURE, says=["folder.obj"])
+
+    def test_lost_cutouts_are_said(self):
+        self.write("leaf.mtl", "newmtl leaf\nmap_Kd lost.png\nmap_d lost too.png\n")
+        done = self.render(self.write("leaf.obj", "mtllib leaf.mtl\nusemtl leaf\n" + TRIANGLE))
+        self.assertRegex(done.stderr, "missing textures: .*lost.png; .*cut-outs in them are lost.*solid sheet")
+        self.assertRegex(done.stderr, "alpha-tested materials without their texture: leaf; .*cast as solid sheets")
+        material = {"name": "leaf", "alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}
+        done = self.render(self.write("leaf.gltf", json.dumps(gltf_triangle(material))))
+        self.assertRegex(done.stderr, "alpha-tested materials without their texture: leaf; .*cast as solid sheets")
+        material["alphaMode"] = "OPAQUE"
+        self.assertNotIn("solid", self.render(self.write("sheet.gltf", json.dumps(gltf_triangle(material)))).stderr)
 
     def test_damaged_files_are_refused_with_their_path(self):
         cases = {
