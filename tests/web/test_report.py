@@ -224,6 +224,32 @@ def check_touch(page):
     return f"finger to {value:.0f} %"
 
 
+def check_pair(page):
+    """Every picture has an entry of its own, whatever its bytes, and the page opens with two that differ where there are two."""
+    if page.js("return document.getElementById('compare-section').hidden"):
+        return "no pictures in these results"
+    options = page.js("return [...document.querySelectorAll('#compare-left option')].map(o => [o.value, o.textContent])")
+    require(len(set(value for value, _ in options)) == len(options), f"two entries stand for one picture: {options}")
+    require(len(set(label for _, label in options)) == len(options), f"two entries have one label: {options}")
+    rows = page.js("return JSON.parse(document.getElementById('gnomon-data').textContent).groups[0].rows.map(row => row.images ?? {})")
+    leaves = lambda tree: sum((leaves(child) for child in tree.values()), []) if isinstance(tree, dict) else [tree]
+    own = sum(len(leaves({key: value for key, value in row.items() if not key.startswith("reference")})) for row in rows)
+    require(sum(": " in label for _, label in options) == own, f"{own} pictures of techniques, entries: {options}")
+    chosen = page.js("return ['left', 'right'].map(side => document.getElementById('compare-' + side).value)")
+    sources = page.js("return ['left', 'right'].map(side => document.querySelector(`.layer.${side} img`).src)")
+    require(chosen[0] != chosen[1], f"the page opens with {chosen[0]} on both sides")
+    shaded = [(row["shaded"], row["reference_shaded"]) for row in rows if "shaded" in row and "reference_shaded" in row]
+    if any(a != b for a, b in shaded):
+        require(sources[0] != sources[1], f"the page opens with two equal pictures: {chosen}")
+    return f"{len(options)} entries, opens with {' and '.join(chosen)}"
+
+
+def check_ticks(page):
+    texts = page.js("return [0, 5e-6, 2.5000000000000003e-5, 0.0010000000000000002, 0.30000000000000004, 20].map(plainTick)")
+    require(texts == ["0", "5e-6", "2.5e-5", "0.001", "0.3", "20"], f"ticks read {texts}")
+    return " ".join(texts)
+
+
 def check_menus_and_zoom(page):
     if page.js("return document.getElementById('compare-section').hidden"):
         return "no pictures in these results"
@@ -367,7 +393,8 @@ def check_network(page):
 
 
 DESKTOP = [("scene selector", check_groups_select), ("texts", check_texts), ("sorting", check_sorting),
-           ("rows open", check_rows_expand), ("charts", check_charts), ("slider", check_slider),
+           ("rows open", check_rows_expand), ("charts", check_charts), ("ticks", check_ticks),
+           ("pair of pictures", check_pair), ("slider", check_slider),
            ("menus and zoom", check_menus_and_zoom), ("data stays data", check_no_script_from_data),
            ("pictures", check_pictures_once), ("dark mode", check_dark)]
 PHONE = [("phone", check_phone), ("touch", check_touch)]

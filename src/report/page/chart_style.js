@@ -5,6 +5,12 @@ function chartColours() {
   return Object.fromEntries(names.map((name) => [name, cssColour(`--${name}`)]));
 }
 
+// Ticks of an axis that starts at zero: plain figures as long as they are short, 5e-6 below.
+function plainTick(value) {
+  const rounded = Number(value.toPrecision(3));
+  return rounded !== 0 && Math.abs(rounded) < 0.001 ? rounded.toExponential() : String(rounded);
+}
+
 function shortened(ctx, text, width) {
   if (ctx.measureText(text).width <= width) return text;
   let length = text.length;

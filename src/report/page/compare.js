@@ -1,6 +1,6 @@
 // Two pictures over each other, divided by a line that mouse, touch and keys move; zoom to the pixel, pan, read pixel values.
 
-// scale 0: fitted; x, y: the pictures' corner in CSS pixels of the port; divide: per cent of its width.
+// left, right: pictures; scale 0: fitted; x, y: the pictures' corner in CSS pixels of the port; divide: per cent of its width.
 const view = { left: null, right: null, divide: 50, scale: 0, x: 0, y: 0 };
 const parts = {};
 const scaleSteps = [1, 2, 4, 8, 16];
@@ -30,33 +30,41 @@ function buildCompare() {
   byId("compare").replaceChildren(
     el("div", { class: "choices" }, parts.leftSelect, swap, parts.rightSelect),
     parts.port, el("div", { class: "under" }, parts.zooms, parts.readout));
-  parts.leftSelect.addEventListener("change", () => showPair(Number(parts.leftSelect.value), view.right));
-  parts.rightSelect.addEventListener("change", () => showPair(view.left, Number(parts.rightSelect.value)));
+  parts.leftSelect.addEventListener("change", () => showPair(parts.pictures.get(parts.leftSelect.value), view.right));
+  parts.rightSelect.addEventListener("change", () => showPair(view.left, parts.pictures.get(parts.rightSelect.value)));
   parts.divider.addEventListener("keydown", onDividerKey);
   listenToPointers();
   new ResizeObserver(() => { if (view.left !== null) place(); }).observe(parts.port);
 }
 
+// A technique's picture and its reference: of the first technique that differs from it in a pixel, for two equal pictures show nothing.
+function firstPair(references, own) {
+  const pairs = own.map((row) => [row.own[0], counterpart(row, row.own[0]) ?? references[0]?.picture]).filter(([, other]) => other);
+  const all = [...references.map(({ picture }) => picture), ...own.flatMap((row) => row.own)];
+  return pairs.find(([a, b]) => a.index !== b.index) ?? pairs[0] ?? [all[0], all.find((other) => other.index !== all[0].index) ?? all[1] ?? all[0]];
+}
+
 function renderCompare() {
   const { references, own } = groupPictures();
   if (references.length === 0 && own.length === 0) return;
-  const option = (picture, name) => ({ label: name ? `${name}: ${picture.label}` : picture.label, value: String(picture.index) });
+  parts.pictures = new Map([...references.map(({ picture }) => picture), ...own.flatMap((row) => row.own)].map((picture) => [picture.id, picture]));
+  const option = (picture, name) => ({ label: name ? `${name}: ${picture.label}` : picture.label, value: picture.id });
   const entries = own.map((row) => ({ label: row.label, options: row.own.map((picture) => option(picture, row.label)) }));
   if (references.length) entries.unshift({ label: "Reference", options: references.map(({ picture }) => option(picture)) });
   for (const select of [parts.leftSelect, parts.rightSelect]) fillSelect(select, entries, "");
-  const [width, height] = pictureSize(), row = own[0], first = row ? row.own[0] : references[0].picture;
+  const [width, height] = pictureSize();
   parts.port.style.setProperty("--aspect", width / height);
   view.scale = 0, view.divide = 50;
-  showPair(first.index, (row && counterpart(row, first)?.index) ?? references[0]?.picture.index);
+  showPair(...firstPair(references, own));
 }
 
 function showPair(left, right) {
   view.left = left ?? view.left, view.right = right ?? view.right ?? left;
-  for (const [side, index] of [["left", view.left], ["right", view.right]]) {
+  for (const [side, picture] of [["left", view.left], ["right", view.right]]) {
     const image = parts[side].firstChild;
-    image.src = data.pictures[index];
+    image.src = pictureUri(picture);
     const select = parts[`${side}Select`];
-    select.value = String(index);
+    select.value = picture.id;
     const chosen = select.selectedOptions[0];
     image.alt = parts[side].dataset.label = chosen?.label ?? "";
   }

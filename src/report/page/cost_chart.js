@@ -42,7 +42,7 @@ const pointLabels = {
 // 1, 2, 5 of each decade.
 function logTick(value) {
   const mantissa = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
-  return [1, 2, 5].some((m) => Math.abs(m - mantissa) < 1e-6) ? String(Number(value.toPrecision(3))) : "";
+  return [1, 2, 5].some((m) => Math.abs(m - mantissa) < 1e-6) ? plainTick(value) : "";
 }
 
 // Filled circles on the front, hollow diamonds off it: told apart without colour.
@@ -72,7 +72,7 @@ function costOptions(points, colours, canvas) {
     onHover: (event, hits) => { canvas.style.cursor = hits.length ? "pointer" : ""; },
     scales: {
       x: chartAxis(colours, "GPU time, build + resolve, ms (logarithmic)", { type: "logarithmic", ...range, ticks: logTicks }),
-      y: chartAxis(colours, metric.axis, { beginAtZero: true, grace: "8%", ticks: { maxTicksLimit: 7 } }),
+      y: chartAxis(colours, metric.axis, { beginAtZero: true, grace: "8%", ticks: { maxTicksLimit: 7, callback: plainTick } }),
     },
     plugins: {
       legend: { display: false },

@@ -38,9 +38,14 @@ function picturesOf(raw) {
   return flattenPictures(raw.images).sort((a, b) => rank(a) - rank(b));
 }
 
+const isReference = (picture) => picture.key.startsWith("reference");
+
 function makeRow(raw, index) {
   const available = raw.status === "ok";
-  const pictures = picturesOf(raw);
+  // Files of equal content are embedded once, and are still different pictures: an id says whose and what, an index where the bytes are.
+  // References are the same for all rows that share their bytes.
+  const pictures = picturesOf(raw).map((picture) =>
+    ({ ...picture, id: isReference(picture) ? `${picture.key} ${picture.index}` : `${picture.key} of row ${index}` }));
   return {
     raw, index, available,
     label: raw.label,
@@ -51,8 +56,8 @@ function makeRow(raw, index) {
     memory: available ? raw.memory_bytes : null,
     psnr: available ? raw.image?.psnr : null,
     pictures,
-    own: pictures.filter((picture) => !picture.key.startsWith("reference")),
-    references: pictures.filter((picture) => picture.key.startsWith("reference")),
+    own: pictures.filter((picture) => !isReference(picture)),
+    references: pictures.filter(isReference),
   };
 }
 

@@ -46,7 +46,7 @@ function passDatasets(rows, colours) {
 
 function passesOptions(rows, colours) {
   const inMs = state.bars === "ms";
-  const ticks = { maxTicksLimit: 6, maxRotation: 0 };
+  const ticks = { maxTicksLimit: 6, maxRotation: 0, callback: plainTick };
   const lengthAxis = { isBare: true, stacked: true, beginAtZero: true, max: inMs ? undefined : 100, ticks };
   return {
     rows, indexAxis: "y", animation: false, maintainAspectRatio: false, layout: { padding: { top: 8 } },

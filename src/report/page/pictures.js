@@ -7,7 +7,7 @@ function counterpart(row, picture) {
   const byKey = (key) => row.pictures.find((other) => other.key === key);
   if (picture.key === "shaded") return byKey("reference_shaded");
   if (picture.key === "mask") return byKey(`reference.${state.kind}`) ?? row.references[0];
-  return picture.key.startsWith("reference") ? byKey(picture.key === "reference_shaded" ? "shaded" : "mask") : byKey("shaded");
+  return isReference(picture) ? byKey(picture.key === "reference_shaded" ? "shaded" : "mask") : byKey("shaded");
 }
 
 // Each picture of the group once: the references are the same files in all rows.
@@ -15,8 +15,8 @@ function groupPictures() {
   const references = [], seen = new Set();
   for (const row of state.group.rows) {
     for (const picture of row.references) {
-      if (!seen.has(picture.index)) references.push({ row, picture });
-      seen.add(picture.index);
+      if (!seen.has(picture.id)) references.push({ row, picture });
+      seen.add(picture.id);
     }
   }
   const own = state.group.rows.filter((row) => row.own.length > 0);
@@ -26,7 +26,7 @@ function groupPictures() {
 function thumbnail(row, picture, name) {
   const [width, height] = sample(state.group).size;
   const show = () => {
-    showPair(picture.index, counterpart(row, picture)?.index);
+    showPair(picture, counterpart(row, picture));
     byId("compare-section").scrollIntoView({ behavior: "smooth", block: "start" });
   };
   return el("button", { type: "button", class: "thumbnail", onclick: show, title: `${name}, ${picture.label}: show above` },
