@@ -8,7 +8,7 @@ usage() {
   cat <<'USAGE'
 usage: ./run.sh [SCENE] [OPTION...]   compare the techniques on SCENE (default: courtyard); options as of 'gnomon compare'
        ./run.sh SUBCOMMAND ...        any subcommand of gnomon, e.g. ./run.sh list scenes
-Results go to out/SCENE below this folder unless -o says otherwise. Missing packages are installed (scripts/setup.sh), and
+Results go to out/SCENE below this folder (out/FOLDER-FILE.EXTENSION for a file) unless -o says otherwise. Missing packages are installed (scripts/setup.sh), and
 the program is built, before the first run; later runs start at once.
 USAGE
 }
@@ -23,12 +23,17 @@ fi
 prepare "$root" --without-web
 stage build cmake --build "$root/build/release" --target gnomon
 
-case "${1:-}" in
-  list | describe | render | compare | sweep | tune | bench | bake | report | view | doctor | --version) exec "$gnomon" "$@" ;;
-esac
+# The program itself says what it knows.
+subcommands=$("$gnomon" --help | sed -n '/^Subcommands:/,$ s/^  \([a-z][a-z]*\).*/\1/p' | paste -sd ' ')
+if [[ ${1:-} == --version || " $subcommands " == *" ${1:-none} "* ]]; then exec "$gnomon" "$@"; fi
 
 scene=courtyard
 if (($#)) && [[ $1 != -* ]]; then scene=$1; shift; fi
+scenes=$("$gnomon" list scenes --json | sed -n 's/^ *"name": "\(.*\)",*$/\1/p' | paste -sd ' ')
+if [[ $scene != *.* && $scene != */* && " $scenes " != *" $scene "* ]]; then
+  echo "run.sh: '$scene' is neither a subcommand (${subcommands// /, }) nor a scene (${scenes// /, }, or a path to .obj, .gltf, .glb)" >&2
+  exit 2
+fi
 output=""
 arguments=("$@")
 for ((i = 0; i < ${#arguments[@]}; ++i)); do
@@ -39,8 +44,14 @@ for ((i = 0; i < ${#arguments[@]}; ++i)); do
   esac
 done
 if [[ -z $output ]]; then
-  name=${scene##*/}
-  output=$root/out/${name%.*}
+  # Files of one name are told apart by their folder and extension: models/a.obj -> out/models-a.obj
+  name=${scene//\//-}
+  if [[ $scene == *.* && -e $scene ]]; then
+    path=$(realpath -- "$scene")
+    folder=${path%/*}
+    name=${folder##*/}-${path##*/}
+  fi
+  output=$root/out/${name#-}
   arguments+=(-o "$output")
 fi
 "$gnomon" compare "$scene" "${arguments[@]}"
