@@ -2,16 +2,31 @@
 #include "lab/session.h"
 
 #include "base/error.h"
+#include "base/log.h"
 #include "lab/lab_params.h"
 #include "scene/load.h"
 
 namespace gnomon {
+
+namespace {
+
+// Legal, and seldom meant: the ground is dark, and what is seen of the shadows is the underside of things.
+void warn_of_suns_below_horizon(std::span<const Light> lights) {
+  for (const Light& light : lights) {
+    if (light.kind == LightKind::directional && light.direction.y >= 0.0f) {
+      log_warning("the sun '{}' is not above the horizon: it shines from below, or along the ground; light.elevation above 0 raises it", light.name);
+    }
+  }
+}
+
+}  // namespace
 
 Session::Session(Device& device, const ViewOptions& options, Settings settings)
     : device_(device), options_(options), settings_(std::move(settings)), scene_(load_scene(options.scene, settings_.scene_options())) {
   settings_.complete_scene_options(options_.scene);
   camera_ = choose_camera(scene_, options_, settings_);
   lights_ = choose_lights(scene_, options_, settings_);
+  warn_of_suns_below_horizon(lights_);
   gpu_scene_ = std::make_unique<GpuScene>(device_, scene_);
   record_light(lights_.front(), settings_);
   make_frame(lights_);

@@ -19,6 +19,36 @@ class Usage(Case):
         self.refused("render", "courtyard", "-o", self.folder / "x.png", "--show", "cats", says=["cats", "mask"])
         self.refused("compare", "courtyard", "-o", self.folder, "--max-error", "2", says=["--max-error", "1"])
 
+    def test_the_parser_speaks_in_one_line(self):
+        out = self.folder / "out"
+        cases = [
+            ([], "error: a subcommand is missing; valid: list, describe, "),
+            (["frobnicate"], "error: unknown subcommand 'frobnicate'; valid: list, describe, "),
+            (["--cats", "list"], "error: unknown option '--cats'; valid: "),
+            (["compare", "courtyard", "-o", out, "--cats=3"], "error: unknown option '--cats'; valid: "),
+            (["compare", "courtyard", "-o", out, "terrain"], "error: compare: 'terrain' is one argument too many"),
+            (["compare", "courtyard"], "error: compare: --output is required"),
+            (["render", "courtyard", "-o", "x.png", "--show", "cats"], "error: --show cats: valid: error, mask, reference, shaded"),
+            (["list", "cats"], "error: what cats: valid: techniques, scenes, metrics, devices"),
+            (["compare", "courtyard", "-o", out, "--max-error", "2"], "error: --max-error 2: valid: 0 to 1"),
+            (["compare", "courtyard", "-o", out, "--samples", "cats"], "error: --samples cats: valid: a whole number, 0 or more"),
+            (["compare", "courtyard", "-o"], "error: --output: its value is missing"),
+        ]
+        for arguments, text in cases:
+            with self.subTest(arguments=arguments):
+                message = self.refused(*arguments, says=[text])
+                self.assertEqual(len(message.splitlines()), 1, message)
+        self.assertFalse(out.exists())
+
+    def test_nothing_is_left_where_nothing_was_measured(self):
+        out = self.folder / "out"
+        self.refused("compare", "nosuch", "-o", out, says=["nosuch", "courtyard"])
+        self.refused("compare", self.folder / "absent.obj", "-o", out, expect=FAILURE, says=["absent.obj"])
+        # Nothing faces a sun below the ground; the warning says why.
+        self.refused("compare", "chart/slab", "-o", out, "--set", "light.elevation=-20", *QUICK, expect=FAILURE,
+                     says=["not above the horizon", "there is no shadow to compare"])
+        self.assertFalse(out.exists())
+
     def test_unknown_names_come_with_the_valid_ones(self):
         self.refused("describe", "single/cats", says=["single/cats", "single/pcf"])
         self.render("--technique", "single/cats", says=["single/cats", "single/pcf"])

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "app/cli/command.h"
+#include "app/cli/usage_error.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "base/version.h"
@@ -13,7 +14,6 @@ int main(int argc, char** argv) {
   CLI::App app("A laboratory for real-time shadows: what each technique costs on the GPU, and how wrong it is against rays.", "gnomon");
   app.set_version_flag("--version", fmt::format("gnomon {} ({}, {})", version(), commit(), build_type()));
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::help);
   cli::Globals globals;
   bool verbose = false;
   app.add_option("--device", globals.device.choice, "part of a Vulkan device's name, or its number in 'gnomon list devices'");
@@ -30,7 +30,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // --help and --version come this way too, with exit code 0.
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    if (error.get_exit_code() == 0) return app.exit(error);
+    log_error("{}", cli::usage_message(app, error));
+    return static_cast<int>(ExitCode::usage);
   } catch (const Error& error) {
     log_error("{}", error.what());
     return static_cast<int>(error.code());
