@@ -10,7 +10,7 @@
 namespace gnomon {
 
 // Exit codes of the program (stable: scripts rely on them).
-enum class ExitCode : int { ok = 0, failure = 1, usage = 2, device = 3, threshold = 4 };
+enum class ExitCode : int { ok = 0, failure = 1, usage = 2, device = 3, threshold = 4, interrupted = 130 };
 
 class Error : public std::runtime_error {
  public:

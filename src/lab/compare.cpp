@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "frame/acceleration_structure.h"
 #include "lab/lab_params.h"
@@ -33,30 +34,36 @@ TimingOptions timing_options(const Settings& settings) {
   return options;
 }
 
+// A line of an earlier run stands for a new one where all of this is equal; the rest of it are results.
+constexpr const char* k_identity[] = {"gnomon", "command", "scene", "camera", "lights", "size", "samples", "device", "technique", "settings"};
+
 // One view under one light: its reference, and a line for every technique.
 class LightComparison {
  public:
-  LightComparison(Session& session, const CompareOptions& options, std::string light_argument)
-      : session_(session), options_(options), light_argument_(std::move(light_argument)), stem_(file_stem(session.scene().name)) {
+  LightComparison(Session& session, const CompareOptions& options, ResultFolder& folder, std::string light_argument)
+      : session_(session), options_(options), folder_(folder), light_argument_(std::move(light_argument)), stem_(file_stem(session.scene().name)) {
     if (!light_argument_.empty()) stem_ += "." + file_stem(light_argument_);
-    session_.draw_surface();
-    references_ = make_references(session_);
     common_ = describe_session(session_);
-    common_["reference"] = describe_reference(references_, truth());
-    find_scored_samples();
-    if (options_.pictures) write_reference_pictures();
   }
 
-  bool sees_receivers() const { return receivers_ > 0; }
-
+  // The line of an unfinished run, or a new one.
   nlohmann::json run(const TechniqueSpec& spec) {
-    nlohmann::json line = common_;
+    nlohmann::json line;
     line["technique"] = spec.name;
     line["command"] = repeat_command(session_, spec.name, light_argument_);
     line["settings"] = session_.settings().to_json(session_.settings().for_technique(spec));
     line["status"] = "ok";
     line["reason"] = "";
-    std::string reason = sees_receivers() ? session_.unavailable(spec) : "the light reaches nothing that the camera sees";
+    line.update(common_);
+    if (auto kept = folder_.take_kept(line, k_identity)) {
+      log_info("{}: kept from the unfinished run", spec.name);
+      return *kept;
+    }
+    if (references_.lights.empty()) {
+      make_reference();
+      line.update(common_);
+    }
+    std::string reason = receivers_ > 0 ? session_.unavailable(spec) : "the light reaches nothing that the camera sees";
     if (reason.empty()) {
       try {
         measure(spec, line);
@@ -73,6 +80,19 @@ class LightComparison {
 
  private:
   const LightReference& truth() const { return references_.lights.front(); }
+
+  // Only when the first technique asks for it: where every line was kept, nothing is traced again.
+  void make_reference() {
+    session_.draw_surface();
+    references_ = make_references(session_);
+    common_["reference"] = describe_reference(references_, truth());
+    find_scored_samples();
+    if (receivers_ == 0 && session_.chosen_lights().size() == 1) {
+      fail("{}: nothing that the camera sees faces the light '{}': there is no shadow to compare; valid: another --camera or --light",
+           session_.scene().name, session_.chosen_lights().front().name);
+    }
+    if (options_.pictures) write_reference_pictures();
+  }
 
   // Samples that share another's answer (several on one surface in a pixel) say nothing about a technique: the score is of
   // those that were evaluated. What sharing itself costs is one figure of the view, with the reference as the technique.
@@ -118,7 +138,7 @@ class LightComparison {
 
   std::string write_picture(const std::string& name, const Image8& image) const {
     const std::string relative = "images/" + stem_ + "." + name + ".png";
-    write_png(options_.output / relative, image);
+    write_png(folder_.unfinished() / relative, image);
     return relative;
   }
 
@@ -145,7 +165,7 @@ class LightComparison {
       return mask_picture(result.visibility, result.receiver, static_cast<int>(size.x), static_cast<int>(size.y),
                           static_cast<int>(session_.frame().samples()));
     };
-    make_folder(options_.output / "images");
+    make_folder(folder_.unfinished() / "images");
     reference_pictures_["reference"]["hard"] = write_picture("reference.hard", picture(truth().hard));
     if (truth().area) reference_pictures_["reference"]["area"] = write_picture("reference.area", picture(*truth().area));
     session_.frame().write_mask(0, truth().area ? truth().area->visibility : truth().hard.visibility);
@@ -155,6 +175,7 @@ class LightComparison {
 
   Session& session_;
   const CompareOptions& options_;
+  ResultFolder& folder_;
   std::string light_argument_, stem_;
   ReferenceSet references_;
   std::vector<uint8_t> scored_;  // per sample: a receiver that was evaluated for itself
@@ -177,49 +198,66 @@ std::string light_argument(const Session& session, size_t index) {
   return std::to_string(session.light_number(index));
 }
 
-void write_lines(const std::filesystem::path& folder, const std::vector<nlohmann::json>& lines) {
-  std::string text;
-  for (const auto& line : lines) text += line.dump() + "\n";
-  write_file(folder / "results.jsonl", text);
+void measure_all(Session& session, const CompareOptions& options, const std::vector<const TechniqueSpec*>& specs, ResultFolder& folder) {
+  // Each light is measured by itself: its mask, its cost.
+  const std::vector<Light> lights = session.chosen_lights();
+  for (size_t i = 0; i < lights.size(); ++i) {
+    session.use_light(i);
+    LightComparison comparison(session, options, folder, light_argument(session, i));
+    for (const TechniqueSpec* spec : specs) {
+      check_interrupted();
+      log_info("{}{}: {}", session.scene().name, lights.size() > 1 ? ", light " + lights[i].name : "", spec->name);
+      folder.add(comparison.run(*spec));
+    }
+  }
+}
+
+std::string what_is_kept(const ResultFolder& folder, size_t planned) {
+  const size_t count = folder.lines().size() + folder.kept_count();
+  if (count == 0) return "no result was complete, nothing is kept";
+  return fmt::format("{} of {} results are kept in {}; the same command with --resume measures the rest", std::min(count, planned), planned,
+                     folder.unfinished().string());
 }
 
 }  // namespace
 
 std::vector<const TechniqueSpec*> techniques_named(const std::vector<std::string>& names) {
   std::vector<const TechniqueSpec*> specs;
+  const auto add = [&](const TechniqueSpec& spec) {
+    if (std::find(specs.begin(), specs.end(), &spec) == specs.end()) specs.push_back(&spec);
+  };
   for (const std::string& name : names) {
     if (name == "all") {
-      for (const auto& spec : all_techniques()) specs.push_back(&spec);
+      for (const auto& spec : all_techniques()) add(spec);
     } else {
-      specs.push_back(&find_technique(name));
+      add(find_technique(name));
     }
   }
   return specs;
 }
 
-std::vector<nlohmann::json> compare(Device& device, const CompareOptions& options, const Settings& settings) {
+std::unique_ptr<ResultFolder> compare(Device& device, const CompareOptions& options, const Settings& settings) {
   const auto specs = techniques_named(options.techniques);
   settings.check_used(specs);
   ensure_layering_measured(device);
-  make_folder(options.output);
   Session session(device, options.view, settings);
-  std::vector<nlohmann::json> lines;
-  // Each light is measured by itself: its mask, its cost.
-  const std::vector<Light> lights = session.chosen_lights();
-  for (size_t i = 0; i < lights.size(); ++i) {
-    session.use_light(i);
-    LightComparison comparison(session, options, light_argument(session, i));
-    if (lights.size() == 1 && !comparison.sees_receivers()) {
-      fail("{}: nothing that the camera sees faces the light '{}': there is no shadow to compare; valid: another --camera or --light",
-           session.scene().name, lights[i].name);
-    }
-    for (const TechniqueSpec* spec : specs) {
-      log_info("{}{}: {}", session.scene().name, lights.size() > 1 ? ", light " + lights[i].name : "", spec->name);
-      lines.push_back(comparison.run(*spec));
-      write_lines(options.output, lines);
-    }
+  if (!options.resume) {
+    if (const auto run = unfinished_run(options.output)) log_warning("{}: the unfinished run is dropped; --resume would continue it", run->folder.string());
   }
-  return lines;
+  auto folder = std::make_unique<ResultFolder>(options.output, options.resume);
+  if (options.resume && folder->kept_count() == 0) log_info("{}: holds no unfinished run: all is measured", options.output.string());
+  const size_t planned = specs.size() * session.chosen_lights().size();
+  const InterruptScope scope;
+  try {
+    measure_all(session, options, specs, *folder);
+  } catch (const Interrupted&) {
+    throw Error("interrupted: " + what_is_kept(*folder, planned), ExitCode::interrupted);
+  } catch (const Error&) {
+    if (!folder->lines().empty()) log_warning("{}", what_is_kept(*folder, planned));
+    throw;
+  }
+  folder->complete();
+  return folder;
 }
 
 }  // namespace gnomon

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/result_folder.h"
 #include "lab/session.h"
 
 namespace gnomon {
@@ -15,13 +16,14 @@ struct CompareOptions {
   std::vector<std::string> techniques;  // names, or "all"
   std::filesystem::path output;
   bool pictures = true;
+  bool resume = false;  // keep the lines of an unfinished run that are still true
 };
 
-// Writes results.jsonl and images/ into the output folder (docs/results_format.md) and returns the lines. The file is whole after
-// each technique: an interrupted run leaves what it had finished.
-std::vector<nlohmann::json> compare(Device& device, const CompareOptions& options, const Settings& settings);
+// Writes results.jsonl and images/ (docs/results_format.md) and returns their folder: complete, not yet published. The output folder
+// is made once the scene is loaded. Throws Interrupted, saying what is kept.
+std::unique_ptr<ResultFolder> compare(Device& device, const CompareOptions& options, const Settings& settings);
 
-// The techniques that a list on the command line names. Throws Error (usage).
+// The techniques that a list on the command line names, each once, in the order of their first names. Throws Error (usage).
 std::vector<const TechniqueSpec*> techniques_named(const std::vector<std::string>& names);
 
 }  // namespace gnomon

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 
 namespace gnomon {
 namespace {
@@ -29,6 +30,7 @@ Timing time_frames(Device& device, const TimingOptions& options, const std::func
   const bool wall = software || device.info().timestamp_ms == 0.0;
   Recorder whole(device, options.mode, false), apart(device, options.mode, true);
   const auto draw = [&](Recorder& recorder) {
+    check_interrupted();
     recorder.begin();
     record(recorder);
     return recorder.finish();

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "gpu/recorder.h"
 #include "reference/cpu/confidence.h"
@@ -36,6 +37,7 @@ ReferenceResult PipelineReference::trace(const Frame& frame, const Light& light,
   const size_t piece = std::max<size_t>(k_rays_per_submission / rays, 64);
   Progress progress("reference (GPU)", count);
   for (size_t first = 0; first < count; first += piece) {
+    check_interrupted();
     const size_t width = std::min(piece, count - first);
     Recorder recorder(device_, TimingMode::play, false);
     recorder.begin();

@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "base/error.h"
 #include "base/log.h"
+#include "base/result_folder.h"
 
 namespace gnomon::cli {
 namespace {
@@ -13,6 +15,17 @@ struct Arguments {
   std::vector<std::string> folders;
   std::string output, csv;
 };
+
+// A run that did not finish is no part of the report, and must not go unseen.
+void look_for_unfinished(const std::filesystem::path& folder) {
+  settle_results(folder);
+  const auto run = unfinished_run(folder);
+  if (!run) return;
+  const std::string state = fmt::format("an unfinished run lies in {} ({} result{})", run->folder.string(), run->lines, run->lines == 1 ? "" : "s");
+  const std::string advice = "its command with --resume finishes it, 'gnomon report' of that folder shows it as it is";
+  if (!std::filesystem::exists(folder / "results.jsonl")) fail("{}: holds no finished result: {}; {}", folder.string(), state, advice);
+  log_warning("{}: the report is of the last finished run; {}; {}", folder.string(), state, advice);
+}
 
 }  // namespace
 
@@ -25,6 +38,7 @@ void add_report(CLI::App& app, const Globals&) {
   command->callback([arguments] {
     const std::vector<std::filesystem::path> folders(arguments->folders.begin(), arguments->folders.end());
     const std::filesystem::path page = arguments->output.empty() ? folders.front() / "report.html" : std::filesystem::path(arguments->output);
+    for (const auto& folder : folders) look_for_unfinished(folder);
     write_report(folders, page);
     log_info("report: {}", std::filesystem::absolute(page).string());
     if (!arguments->csv.empty()) write_csv(folders, arguments->csv);

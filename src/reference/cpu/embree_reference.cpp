@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "reference/cpu/acceleration.h"
 #include "reference/cpu/confidence.h"
@@ -141,11 +142,13 @@ ReferenceResult EmbreeReference::trace(std::span<const SurfacePoint> points, con
   const size_t blocks = (points.size() + k_block - 1) / k_block;
   // One block a task, always the same blocks: no sum depends on the number of threads.
   tbb::parallel_for(size_t{0}, blocks, [&](size_t block) {
+    if (interrupted()) return;
     const size_t begin = block * k_block, end = std::min(begin + k_block, points.size());
     trace_block(job, implementation_->acceleration.top(), begin, end, result, variance);
     done += end - begin;
     if (std::this_thread::get_id() == caller) progress.update(done);
   });
+  check_interrupted();
   result.confidence = mean_confidence(points, variance, result.receiver);
   return result;
 }
