@@ -25,7 +25,7 @@ struct ShadowView {
   float border;             // texels at each edge that only wide kernels may read
   float texel_along_m;      // warped views: side of a texel along the warp where clip w is 1; it grows with the square of w. Others: 0
   vec2 interval_m;          // distances along the viewer's axis that the layer is fitted to
-  vec2 unused;
+  float unused;
 };
 
 // What all layers share.
