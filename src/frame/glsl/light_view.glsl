@@ -19,6 +19,7 @@ struct LightView {
   float far_m;
   uint in_use;   // 0: this frame does not need the layer; nothing is drawn into it
   float rim;     // paraboloid: clip-space radius of the directions across the axis
+  uint unused_1, unused_2, unused_3;  // a multiple of 16 bytes
 };
 
 // Cosine of the angle from the axis to the middle of the map's edge: tan(angle / 2) = 1 / rim.
