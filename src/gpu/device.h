@@ -78,7 +78,10 @@ class Device {
   void wait_idle();
 
   // Between the two a command buffer is being recorded, which may use what is destroyed meanwhile. They nest.
-  void begin_recording() { ++recordings_; }
+  // What is finished goes first: validation takes every image of the bindless set for used by what is recorded.
+  void begin_recording() {
+    if (recordings_++ == 0) collect();
+  }
   void end_recording();
 
   // Runs `destroy` once the GPU has finished everything submitted so far, and what is being recorded now.

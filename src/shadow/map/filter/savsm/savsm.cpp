@@ -14,7 +14,7 @@ namespace {
 constexpr const char* k_manual =
     "Summed-area variance shadow map: mean and variance of depth over a square of any width, at constant cost.\n"
     "Lauritzen 2007 (GPU Gems 3, chapter 8). Running sums of depth and of its square in 32-bit integers, which are exact however\n"
-    "large the map: sums wrap around, and only the square that is read must fit (savsm.width=5 leaves 26 bits for a texel,\n"
+    "large the map: sums wrap around, and only the square that is read must fit (savsm.width=3 leaves 27 bits for a texel,\n"
     "64 leaves 19). The edges of the square fall between texels, so the width is continuous. Light bleeds as with vsm.";
 
 class Savsm : public Filter {
