@@ -10,16 +10,22 @@
 namespace gnomon {
 namespace {
 
-// Slope at key i of the parabola through it and its neighbours; at the ends that of the chord.
+// A path that ends where it begins is a loop: it passes its seam as smoothly as any other key.
+bool is_loop(std::span<const CameraKey> keys) {
+  return keys.size() > 2 && keys.front().eye == keys.back().eye && keys.front().target == keys.back().target;
+}
+
+// Slope at key i of the parabola through it and its neighbours; at the ends of a path that is no loop, that of the chord.
 vec3 tangent(std::span<const CameraKey> keys, size_t i, vec3 CameraKey::*member) {
   const auto slope = [&](size_t from, size_t to) {
     return (keys[to].*member - keys[from].*member) / static_cast<float>(keys[to].time_s - keys[from].time_s);
   };
-  if (i == 0) return slope(0, 1);
-  if (i + 1 == keys.size()) return slope(i - 1, i);
-  const auto before = static_cast<float>(keys[i].time_s - keys[i - 1].time_s),
-             after = static_cast<float>(keys[i + 1].time_s - keys[i].time_s);
-  return (slope(i - 1, i) * after + slope(i, i + 1) * before) / (before + after);
+  const size_t last = keys.size() - 1;
+  if ((i == 0 || i == last) && !is_loop(keys)) return i == 0 ? slope(0, 1) : slope(last - 1, last);
+  const size_t low = i == 0 ? last : i, high = i == last ? 0 : i;  // the same key, where a loop begins and ends
+  const auto before = static_cast<float>(keys[low].time_s - keys[low - 1].time_s);
+  const auto after = static_cast<float>(keys[high + 1].time_s - keys[high].time_s);
+  return (slope(low - 1, low) * after + slope(high, high + 1) * before) / (before + after);
 }
 
 vec3 hermite(const vec3& a, const vec3& tangent_a, const vec3& b, const vec3& tangent_b, float t, float step) {
@@ -152,7 +158,7 @@ CameraPath turn_path(const std::string& name, double duration_s, const Camera& c
   CameraPath path{name, {}};
   const vec3 eye(camera.world_from_view[3]), forward = -vec3(camera.world_from_view[2]);
   for (int i = 0; i <= k_keys; ++i) {
-    const vec3 ahead(turned(glm::dvec3(forward), 2.0 * 3.14159265358979323846 * i / k_keys));
+    const vec3 ahead(turned(glm::dvec3(forward), 2.0 * 3.14159265358979323846 * (i % k_keys) / k_keys));
     path.keys.push_back({duration_s * i / k_keys, eye, eye + distance_m * ahead});
   }
   return path;
@@ -162,7 +168,7 @@ CameraPath orbit_path(const std::string& name, double duration_s, const vec3& ey
   constexpr int k_keys = 16;
   CameraPath path{name, {}};
   for (int i = 0; i <= k_keys; ++i) {
-    const glm::dvec3 arm = turned(glm::dvec3(eye - centre), 2.0 * 3.14159265358979323846 * i / k_keys);
+    const glm::dvec3 arm = turned(glm::dvec3(eye - centre), 2.0 * 3.14159265358979323846 * (i % k_keys) / k_keys);
     path.keys.push_back({duration_s * i / k_keys, centre + vec3(arm), centre});
   }
   return path;

@@ -139,6 +139,10 @@ std::string generated_hash(const Scene& scene) {
 TEST(builtin, content_is_the_same_everywhere) {
   EXPECT_EQ(generated_hash(courtyard()), "c536ddadad8c01a3");
   EXPECT_EQ(generated_hash(small_terrain()), "8f12649cc822cbad");
+  EXPECT_EQ(generated_hash(built("town", {{"detail", 0.02}})), "df8074d0ed0d9be2");
+  EXPECT_EQ(generated_hash(built("landscape", {{"detail", 0.02}})), "c3b8b6ac56a1cffe");
+  EXPECT_EQ(generated_hash(built("hexworld", {{"radius", 30}})), "38972095912066c9");
+  EXPECT_EQ(generated_hash(built("lamps")), "d4278ad3b4efc6b9");
   EXPECT_EQ(generated_hash(built("chart/sphere")), "98cfd48f28ee268a");
   EXPECT_EQ(generated_hash(built("chart/slab")), "8a715909a14f86d7");
   EXPECT_EQ(generated_hash(built("chart/fence")), "18c3db0fce244393");

@@ -53,7 +53,7 @@ void paint(MeshPart& part) {
 
 void add_ground(Scene& scene, double detail) {
   const int material = add_material(scene, textured_material(scene, "meadow", soil_texture(512), {0.80f, 0.88f, 0.62f}));
-  const int cells = std::max(8, static_cast<int>(54 * std::sqrt(detail)));
+  const int cells = std::max(12, static_cast<int>(54 * std::sqrt(detail)));
   for (int row = 0; row < k_tiles; ++row) {
     for (int column = 0; column < k_tiles; ++column) {
       MeshPart part = part_of(material);
