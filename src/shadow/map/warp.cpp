@@ -89,6 +89,7 @@ WarpFit warp_fit(const CameraData& camera, const Light& light, const Box& caster
   std::vector<vec4> planes;
   add_box_planes(mat3(1.0f), scene, 3, planes);
   add_box_planes(axes, shadowed, 2, planes);
+  planes.emplace_back(axes[2], -fit.first_caster_z);
   fit.eye = fit.axes.to_light(camera.eye_ws);
   fit.sine = glm::length(glm::cross(camera.forward_ws, light.direction));
   fit.nearest_m = std::numeric_limits<float>::max();

@@ -200,8 +200,13 @@ void make_views() {
     views.v[layer].interval_m = any_sample || state.v.farthest != 0u ? interval : vec2(0.0);
     return;
   }
-  vec2 grow = data.border / max(float(data.size) - 2.0 * data.border, 1.0) * (high.xy - low.xy);
+  // Samples lie at the very edge, and mips are read as wide as pixels are: two of those more.
+  float size = float(data.size);
+  float border = min(data.border + 2.0 * size / float(min(frame.v.camera.size.x, frame.v.camera.size.y)), 0.25 * size);
+  vec2 grow = border / (size - 2.0 * border) * (high.xy - low.xy);
   low.xy -= grow, high.xy += grow;
+  // Kernels read beyond the samples, where the same surfaces lie deeper.
+  high.z = data.scene_max.z;
   float margin = 1e-3 * max(high.z - low.z, 1e-3);
   low.z -= margin, high.z += margin;
   write_view(layer, low, high, interval);
