@@ -60,7 +60,7 @@ void main() {
     vec3 a = (view.clip_from_world * vec4(gl_in[0].gl_Position.xyz, 1.0)).xyz;
     vec3 b = (view.clip_from_world * vec4(gl_in[1].gl_Position.xyz, 1.0)).xyz;
     vec3 c = (view.clip_from_world * vec4(gl_in[2].gl_Position.xyz, 1.0)).xyz;
-    float edge = paraboloid_edge(view.rim);
+    float rim = paraboloid_rim(view), edge = paraboloid_edge(rim);
     if (a.z < edge * length(a) && b.z < edge * length(b) && c.z < edge * length(c)) continue;
     vec2 low = min(min(on_disc(a), on_disc(b)), on_disc(c)), high = max(max(on_disc(a), on_disc(b)), on_disc(c));
     bool everything = false;
@@ -68,7 +68,7 @@ void main() {
     add_edge(b, c, low, high, everything);
     add_edge(c, a, low, high, everything);
     // A margin for rounding, small against a texel.
-    low = everything ? vec2(-1.0) : low * view.rim - 2e-5, high = everything ? vec2(1.0) : high * view.rim + 2e-5;
+    low = everything ? vec2(-1.0) : low * rim - 2e-5, high = everything ? vec2(1.0) : high * rim + 2e-5;
     if (any(greaterThan(low, vec2(1.0))) || any(lessThan(high, vec2(-1.0)))) continue;
     low = max(low, vec2(-1.0)), high = min(high, vec2(1.0));
     // Wound as the triangle is seen from the light, for the culling of faces.
@@ -78,7 +78,7 @@ void main() {
       vec2 at = turned ? vec2(bottom ? high.x : low.x, right ? high.y : low.y) : vec2(right ? high.x : low.x, bottom ? high.y : low.y);
       gl_Layer = int(layer);
       gl_Position = vec4(at, 0.5, 1.0);
-      disc = at / view.rim;
+      disc = at / rim;
       item_index = item_in[0];
       corner_a = a, corner_b = b, corner_c = c;
       uv_a = uv_in[0], uv_b = uv_in[1], uv_c = uv_in[2];

@@ -23,7 +23,7 @@ bool behind_paraboloid(CasterRange range, LightView view) {
   vec3 centre = (view.clip_from_world * vec4(0.5 * (range.bounds_max_ws + range.bounds_min_ws), 1.0)).xyz;
   float farthest = length(centre) + length(half_size);
   vec3 axis = transpose(mat3(view.clip_from_world))[2];
-  return centre.z + dot(abs(axis), half_size) < paraboloid_edge(view.rim) * farthest;
+  return centre.z + dot(abs(axis), half_size) < paraboloid_edge(paraboloid_rim(view)) * farthest;
 }
 
 // A caster between the light and the view is drawn although it lies before the near plane: its bounds are swept along the light.

@@ -8,8 +8,8 @@ namespace gnomon {
 
 shared_constant uint k_view_projective = 0u;  // clip_from_world says all
 // One half of all directions around a point onto a disc of radius `rim` (Brabec, Annen and Seidel 2002): clip_from_world is a rigid
-// transform to the light's axes (the half space looks along +z), depth is the distance. Beyond the rim lies the beginning of the
-// other half, for kernels.
+// transform to the light's axes (the half space looks along +z) whose last row is (0, 0, 0, rim); depth is the distance. Beyond the rim
+// lies the beginning of the other half, for kernels.
 shared_constant uint k_view_paraboloid = 1u;
 
 struct LightView {
@@ -18,9 +18,10 @@ struct LightView {
   float near_m;  // paraboloid: distances at depth 0 and 1
   float far_m;
   uint in_use;   // 0: this frame does not need the layer; nothing is drawn into it
-  float rim;     // paraboloid: clip-space radius of the directions across the axis
-  uint unused_1, unused_2, unused_3;  // a multiple of 16 bytes
 };
+
+// Clip-space radius of the directions across the axis.
+inline_function float paraboloid_rim(LightView view) { return view.clip_from_world[3][3]; }
 
 // Cosine of the angle from the axis to the middle of the map's edge: tan(angle / 2) = 1 / rim.
 inline_function float paraboloid_edge(float rim) { return (rim * rim - 1.0f) / (rim * rim + 1.0f); }
@@ -31,7 +32,7 @@ inline_function vec4 light_clip(LightView view, vec3 position_ws) {
   if (view.kind == k_view_projective) return p;
   float distance_m = length(vec3(p.x, p.y, p.z));
   // (x, y) / (distance + z) = tan(angle / 2). w = 1: lines become arcs only between vertices.
-  float scale = view.rim / max(distance_m + p.z, 1e-4f * distance_m + 1e-20f);
+  float scale = p.w / max(distance_m + p.z, 1e-4f * distance_m + 1e-20f);
   // What lies behind leaves through the far plane: a triangle around the back of the axis would cover the whole disc.
   float behind = 4.0f * max(-p.z / (distance_m + 1e-20f) - 0.25f, 0.0f);
   return vec4(p.x * scale, p.y * scale, (distance_m - view.near_m) / (view.far_m - view.near_m) + behind, 1.0f);

@@ -52,18 +52,19 @@ class DualParaboloid : public Projection {
     ShadowView view = {};
     view.raster.clip_from_world = mat4(glm::transpose(axes));
     view.raster.clip_from_world[3] = vec4(-(glm::transpose(axes) * position), 1.0f);
+    view.world_from_clip = glm::inverse(view.raster.clip_from_world);
+    const float rim = 1.0f - std::min(2.0f * params_.border / size, 0.5f);
+    view.raster.clip_from_world[3][3] = rim;
     view.raster.kind = k_view_paraboloid;
     view.raster.near_m = view.depth_near_m = near;
     view.raster.far_m = far;
     view.raster.in_use = 1;
-    view.raster.rim = 1.0f - std::min(2.0f * params_.border / size, 0.5f);
-    view.world_from_clip = glm::inverse(view.raster.clip_from_world);
     view.linear_numerator = vec4(0, 0, 1, 0);
     view.linear_denominator = vec4(0, 0, 0, 1);
     view.origin_ws = position;
     view.depth_range_m = far - near;
     // On the axis an angle is twice its place on the disc, and a texel 2 / size of the square from -1 to 1.
-    view.texel_m = 4.0f / (size * view.raster.rim);
+    view.texel_m = 4.0f / (size * rim);
     view.size = size;
     view.border = params_.border;
     view.interval_m = vec2(0.0f, 3.0e38f);
