@@ -6,7 +6,7 @@ import re
 import sys
 
 LAYERS = ["base", "gpu", "scene", "frame", "shadow", "reference", "measure", "lab", "report", "app"]
-NO_GPU = ["base", "scene", "measure", "report", "reference/cpu"]
+NO_GPU = ["base", "scene", "measure", "report", "reference/cpu", "lab/plan"]
 SUFFIXES = {".h", ".cpp", ".inl", ".glsl", ".comp", ".vert", ".frag", ".geom", ".mesh", ".task", ".rgen", ".rmiss", ".rchit", ".rahit"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 

@@ -10,7 +10,6 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "frame/acceleration_structure.h"
-#include "lab/lab_params.h"
 #include "lab/measure_layering.h"
 #include "lab/result_line.h"
 #include "lab/timing.h"
@@ -22,16 +21,6 @@ namespace {
 std::string file_stem(std::string text) {
   std::replace_if(text.begin(), text.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '_'; }, '-');
   return text;
-}
-
-TimingOptions timing_options(const Settings& settings) {
-  const auto params = settings.block("measure").as<measure_params::Params>();
-  TimingOptions options;
-  options.mode = params.mode == measure_params::mode_play ? TimingMode::play : TimingMode::measure;
-  options.frames = params.frames;
-  options.warm_up = params.warm_up;
-  options.max_seconds = static_cast<double>(params.max_seconds);
-  return options;
 }
 
 // A line of an earlier run stands for a new one where all of this is equal; the rest of it are results.

@@ -1,6 +1,8 @@
 // Loading, upload, frames.
 #include "lab/session.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/log.h"
 #include "lab/lab_params.h"
@@ -23,6 +25,13 @@ void warn_of_suns_below_horizon(std::span<const Light> lights) {
 
 Session::Session(Device& device, const ViewOptions& options, Settings settings)
     : device_(device), options_(options), settings_(std::move(settings)), scene_(load_scene(options.scene, settings_.scene_options())) {
+  if (options_.fewer_samples) {
+    uint32_t offered = 1;
+    for (const int count : device_.info().sample_counts) {
+      if (static_cast<uint32_t>(count) <= options_.samples) offered = std::max(offered, static_cast<uint32_t>(count));
+    }
+    options_.samples = offered;
+  }
   settings_.complete_scene_options(options_.scene);
   camera_ = choose_camera(scene_, options_, settings_);
   lights_ = choose_lights(scene_, options_, settings_);

@@ -17,6 +17,7 @@ struct ViewOptions {
   std::string scene;
   uvec2 size = {800, 600};
   uint32_t samples = 1;
+  bool fewer_samples = false;       // where the device does not offer `samples`: the most below that it does
   std::string camera;               // empty: the scene's first, else a framing one; a name, a number, or "x,y,z:x,y,z" (eye:target)
   // Empty: the first directional light, else all lights, else the sun of the light settings. Else "sun", "all", names, numbers,
   // lights as text (lab/light_text.h).

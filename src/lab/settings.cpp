@@ -48,13 +48,14 @@ Settings::Settings() {
   for (const auto& [id, table] : lab_tables()) blocks_.emplace(id, ParamBlock(table));
 }
 
-void Settings::assign(std::string_view assignment) {
+void Settings::assign(std::string_view assignment, std::string_view source) {
   const size_t dot = assignment.find('.'), equals = assignment.find('=');
   if (dot == assignment.npos || equals == assignment.npos || dot > equals) {
-    fail_usage("--set {}: not of the form id.key=value; valid ids: {}", assignment, valid_ids());
+    fail_usage("{} {}: not of the form id.key=value; valid ids: {}", source, assignment, valid_ids());
   }
   const std::string id(assignment.substr(0, dot)), name(assignment.substr(dot + 1, equals - dot - 1));
-  const std::string value(assignment.substr(equals + 1)), where = id + "." + name;
+  const std::string value(assignment.substr(equals + 1));
+  const std::string where = source == "--set" ? id + "." + name : fmt::format("{} {}.{}", source, id, name);
   if (const auto block = blocks_.find(id); block != blocks_.end()) {
     block->second.set(name, value, where);
   } else if (id == "scene") {
@@ -66,10 +67,12 @@ void Settings::assign(std::string_view assignment) {
     ParamBlock(table->second).set(name, value, where);  // refuses a bad value now
     of_techniques_.push_back({id, name, value});
   } else {
-    fail_usage("--set {}: unknown id '{}'; valid: {}", assignment, id, valid_ids());
+    fail_usage("{} {}: unknown id '{}'; valid: {}", source, assignment, id, valid_ids());
   }
   assignments_.emplace_back(assignment);
 }
+
+bool Settings::is_technique_part(std::string_view id) { return technique_tables().contains(id); }
 
 const ParamBlock& Settings::block(std::string_view id) const {
   const auto found = blocks_.find(id);

@@ -7,11 +7,11 @@
 
 #include "base/error.h"
 #include "base/interrupt.h"
+#include "lab/lab_params.h"
+#include "lab/settings.h"
 
 namespace gnomon {
 namespace {
-
-constexpr int k_min_frames = 3;
 
 struct Series {
   std::vector<std::vector<double>> passes;
@@ -23,47 +23,83 @@ void add_passes(Series& series, const FrameResult& frame, bool wall) {
   for (size_t i = 0; i < frame.passes.size(); ++i) series.passes[i].push_back(wall ? frame.passes[i].wall_ms : frame.passes[i].gpu_ms);
 }
 
+FrameResult draw(Recorder& recorder, const std::function<void(Recorder&)>& record) {
+  check_interrupted();
+  recorder.begin();
+  record(recorder);
+  return recorder.finish();
+}
+
 }  // namespace
 
-Timing time_frames(Device& device, const TimingOptions& options, const std::function<void(Recorder&)>& record) {
-  const bool software = device.info().software;
-  const bool wall = software || device.info().timestamp_ms == 0.0;
-  Recorder whole(device, options.mode, false), apart(device, options.mode, true);
-  const auto draw = [&](Recorder& recorder) {
-    check_interrupted();
-    recorder.begin();
-    record(recorder);
-    return recorder.finish();
-  };
-  for (int i = 0; i < options.warm_up; ++i) draw(whole);
-
+struct FrameTimer::State {
+  State(Device& device, const TimingOptions& timing_options, std::function<void(Recorder&)> record_frame)
+      : options(timing_options),
+        wall(device.info().software || device.info().timestamp_ms == 0.0),
+        whole(device, options.mode, false),
+        apart(device, options.mode, true),
+        record(std::move(record_frame)) {}
+  TimingOptions options;
+  bool wall;
+  Recorder whole, apart;
+  std::function<void(Recorder&)> record;
   Series series;
   FrameResult last;
-  const auto start = std::chrono::steady_clock::now();
-  int frames = 0;
-  for (; frames < options.frames; ++frames) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (frames >= k_min_frames && elapsed.count() > options.max_seconds) break;
-    last = draw(whole);
-    series.record.push_back(last.record_ms);
-    const double frame_ms = wall ? last.wall_ms : last.gpu_ms;
-    if (wall) last = draw(apart);
-    series.frame.push_back(std::max(frame_ms - last.submission_ms, 0.0));
-    add_passes(series, last, wall);
-  }
+};
 
+FrameTimer::FrameTimer(Device& device, const TimingOptions& options, std::function<void(Recorder&)> record)
+    : state_(std::make_unique<State>(device, options, std::move(record))) {}
+FrameTimer::~FrameTimer() = default;
+
+void FrameTimer::warm_up() { draw(state_->whole, state_->record); }
+
+void FrameTimer::frame() {
+  State& s = *state_;
+  s.last = draw(s.whole, s.record);
+  s.series.record.push_back(s.last.record_ms);
+  const double frame_ms = s.wall ? s.last.wall_ms : s.last.gpu_ms;
+  if (s.wall) s.last = draw(s.apart, s.record);
+  s.series.frame.push_back(std::max(frame_ms - s.last.submission_ms, 0.0));
+  add_passes(s.series, s.last, s.wall);
+}
+
+Timing FrameTimer::timing() const {
+  const State& s = *state_;
+  GNOMON_ASSERT(!s.series.frame.empty());
   Timing timing;
-  timing.mode = options.mode == TimingMode::measure ? "measure" : "play";
-  timing.clock = wall ? "wall clock, each pass submitted alone" : "gpu timestamps";
-  timing.frames = frames;
-  timing.warm_up = options.warm_up;
-  timing.frame_ms = summarise(series.frame);
-  timing.record_ms = summarise(series.record);
-  for (size_t i = 0; i < last.passes.size(); ++i) {
-    const PassResult& pass = last.passes[i];
-    timing.passes.push_back({pass.name, pass.stage, summarise(series.passes[i]), pass.draws, pass.dispatches, pass.triangles});
+  timing.mode = s.options.mode == TimingMode::measure ? "measure" : "play";
+  timing.clock = s.wall ? "wall clock, each pass submitted alone" : "gpu timestamps";
+  timing.frames = static_cast<int>(s.series.frame.size());
+  timing.warm_up = s.options.warm_up;
+  timing.frame_ms = summarise(s.series.frame);
+  timing.record_ms = summarise(s.series.record);
+  for (size_t i = 0; i < s.last.passes.size(); ++i) {
+    const PassResult& pass = s.last.passes[i];
+    timing.passes.push_back({pass.name, pass.stage, summarise(s.series.passes[i]), pass.draws, pass.dispatches, pass.triangles});
   }
   return timing;
+}
+
+Timing time_frames(Device& device, const TimingOptions& options, const std::function<void(Recorder&)>& record) {
+  FrameTimer timer(device, options, record);
+  for (int i = 0; i < options.warm_up; ++i) timer.warm_up();
+  const auto start = std::chrono::steady_clock::now();
+  for (int frames = 0; frames < options.frames; ++frames) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (frames >= k_min_frames && elapsed.count() > options.max_seconds) break;
+    timer.frame();
+  }
+  return timer.timing();
+}
+
+TimingOptions timing_options(const Settings& settings) {
+  const auto params = settings.block("measure").as<measure_params::Params>();
+  TimingOptions options;
+  options.mode = params.mode == measure_params::mode_play ? TimingMode::play : TimingMode::measure;
+  options.frames = params.frames;
+  options.warm_up = params.warm_up;
+  options.max_seconds = static_cast<double>(params.max_seconds);
+  return options;
 }
 
 double Timing::sum_of_passes_ms() const {

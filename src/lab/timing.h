@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 
 #include "base/statistics.h"
@@ -9,11 +10,17 @@
 
 namespace gnomon {
 
+constexpr int k_min_frames = 3;  // however long they take
+
 struct TimingOptions {
   TimingMode mode = TimingMode::measure;
   int frames = 50, warm_up = 5;
   double max_seconds = 4.0;
 };
+
+// From the settings `measure`.
+class Settings;
+TimingOptions timing_options(const Settings& settings);
 
 struct PassTiming {
   std::string name;
@@ -34,7 +41,24 @@ struct Timing {
 };
 
 // Times the frame that `record` records. On a software device passes are submitted alone and timed by the wall clock, because
-// its timestamps lie; whole frames alternate with those, in one submission.
+// its timestamps lie; whole frames alternate with those, in one submission. One frame at a time, so that several timers can take turns.
+class FrameTimer {
+ public:
+  FrameTimer(Device& device, const TimingOptions& options, std::function<void(Recorder&)> record);
+  ~FrameTimer();
+  FrameTimer(const FrameTimer&) = delete;
+  FrameTimer& operator=(const FrameTimer&) = delete;
+
+  void warm_up();  // a frame that is not counted
+  void frame();
+  Timing timing() const;  // after one frame at least
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// Warm-up and frames as the options say.
 Timing time_frames(Device& device, const TimingOptions& options, const std::function<void(Recorder&)>& record);
 
 nlohmann::json passes_to_json(const Timing& timing);

@@ -39,6 +39,8 @@ constexpr Field k_optional[] = {
     {"/gpu_ms/build", Kind::number},    {"/gpu_ms/resolve", Kind::number},
     {"/gpu_ms/total", Kind::number},    {"/memory_bytes", Kind::number},
     {"/reference", Kind::object},       {"/images", Kind::object},
+    {"/bench", Kind::object},           {"/bench/run", Kind::text},
+    {"/bench/rows", Kind::array},       {"/bench/plot", Kind::object},
 };
 
 constexpr Field k_of_visibility[] = {

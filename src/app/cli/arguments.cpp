@@ -1,28 +1,34 @@
 // Arguments that subcommands share.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 
 #include "app/cli/command.h"
 #include "base/error.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "lab/compare.h"
 #include "lab/light_text.h"
+#include "lab/preset_use.h"
 
 namespace gnomon::cli {
 
 std::unique_ptr<Device> Globals::open_device() const { return std::make_unique<Device>(device); }
 
 void ViewArguments::add_to(CLI::App& command) {
-  command.add_option("scene", scene, "built-in scene (gnomon list scenes) or path to .obj, .gltf, .glb")->required();
+  command_ = &command;
+  command.add_option("scene", scene, "built-in scene (gnomon list scenes) or path to .obj, .gltf, .glb");
   command.add_option("--size", size, "width x height of the picture, e.g. 1280x720")->capture_default_str();
   command.add_option("--samples", samples, "samples per pixel: 1, 2, 4, 8 as the device offers")->capture_default_str();
   command.add_option("--camera", camera, "'frame', 'x,y,z:x,y,z' (eye and target), or name or number of a camera of the scene");
   command.add_option("--light", lights, std::string("'sun', 'all', name or number of a light of the scene, or ") + k_light_text_help +
                                            "; repeat for several (default: the scene's first sun, else all its lights)");
   command.add_option("--set", assignments, "id.key=value, e.g. pcf.size=5 or light.elevation=30 (gnomon describe TECHNIQUE)");
+  command.add_option("--preset", preset_names, "settings from a JSON file or a built-in preset (gnomon list presets); later ones and other arguments win");
+  command.add_option("--write-preset", written_preset, "also writes all settings in force as a preset");
 }
 
-ViewOptions ViewArguments::view() const {
-  ViewOptions options;
-  options.scene = scene;
+uvec2 parse_size(const std::string& size) {
   const size_t x = size.find('x');
   const auto number = [&](std::string_view text) {
     uint32_t value = 0;
@@ -32,17 +38,59 @@ ViewOptions ViewArguments::view() const {
     return value;
   };
   if (x == size.npos) number("");
-  options.size = {number(std::string_view(size).substr(0, x)), number(std::string_view(size).substr(x + 1))};
+  return {number(std::string_view(size).substr(0, x)), number(std::string_view(size).substr(x + 1))};
+}
+
+bool ViewArguments::given(const char* option) const { return command_->get_option(option)->count() > 0; }
+
+Preset ViewArguments::preset() const {
+  Preset merged;
+  for (const std::string& name : preset_names) {
+    const Preset preset = load_preset(name);
+    check_preset(preset);
+    overlay(merged, preset);
+    merged.name += (merged.name.empty() ? "" : ", ") + preset.name;
+  }
+  return merged;
+}
+
+ViewOptions ViewArguments::view() const {
+  ViewOptions options;
+  options.size = parse_size(size);
   options.samples = samples;
-  options.camera = camera;
-  options.lights = lights;
+  apply_view(preset(), options);
+  if (given("scene")) options.scene = scene;
+  if (options.scene.empty()) fail_usage("scene is required: a name, a path, or a --preset that has one");
+  if (given("--size")) options.size = parse_size(size);
+  if (given("--samples")) options.samples = samples, options.fewer_samples = false;
+  if (given("--camera")) options.camera = camera;
+  if (given("--light")) options.lights = lights;
   return options;
 }
 
-Settings ViewArguments::settings() const {
+Settings ViewArguments::settings(const std::vector<std::string>& techniques) const {
+  Preset used = preset();
+  const auto specs = techniques_named(techniques);
+  const bool other_techniques = techniques != used.techniques, other_scene = given("scene") && scene != used.scene.value_or(scene);
+  std::erase_if(used.set, [&](const auto& setting) {
+    const std::string id = setting.first.substr(0, setting.first.find('.'));
+    const bool has_part = std::any_of(specs.begin(), specs.end(), [&](const TechniqueSpec* spec) { return spec->default_settings().contains(id); });
+    const bool is_useless = (other_techniques && Settings::is_technique_part(id) && !has_part) || (other_scene && id == "scene");
+    if (is_useless) log_info("preset {}: {} is left out: {}", used.name, setting.first, id == "scene" ? "another scene" : "no technique of this run has it");
+    return is_useless;
+  });
   Settings settings;
+  assign_preset(settings, used);
   for (const std::string& assignment : assignments) settings.assign(assignment);
   return settings;
+}
+
+void ViewArguments::write_preset(const std::vector<std::string>& techniques) const {
+  if (written_preset.empty()) return;
+  Settings effective = settings(techniques);
+  const ViewOptions options = view();
+  effective.complete_scene_options(options.scene);
+  write_file(written_preset, preset_text(effective_preset(options, techniques, effective)));
 }
 
 }  // namespace gnomon::cli

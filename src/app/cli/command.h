@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "lab/plan/preset.h"
 #include "lab/session.h"
 
 namespace CLI {
@@ -24,19 +25,33 @@ void add_list(CLI::App& app, const Globals& globals);
 void add_describe(CLI::App& app, const Globals& globals);
 void add_render(CLI::App& app, const Globals& globals);
 void add_compare(CLI::App& app, const Globals& globals);
+void add_bench(CLI::App& app, const Globals& globals);
 void add_report(CLI::App& app, const Globals& globals);
 void add_doctor(CLI::App& app, const Globals& globals);
 
-// SCENE, --size, --samples, --camera, --light, --set.
+// SCENE, --size, --samples, --camera, --light, --set, --preset, --write-preset. What the command line does not say, presets do.
 struct ViewArguments {
   std::string scene, size = "800x600";
   uint32_t samples = 1;
   std::string camera;
-  std::vector<std::string> lights, assignments;
+  std::vector<std::string> lights, assignments, preset_names;
+  std::string written_preset;
 
   void add_to(CLI::App& command);
-  ViewOptions view() const;      // throws Error (usage)
-  Settings settings() const;     // the same
+  // Each throws Error (usage).
+  Preset preset() const;  // all of --preset, the later over the earlier
+  ViewOptions view() const;
+  // `techniques`: those of the run. Settings of presets that none of them has are left out when the command line chose others.
+  Settings settings(const std::vector<std::string>& techniques) const;
+  // --write-preset, where it was given.
+  void write_preset(const std::vector<std::string>& techniques) const;
+
+ private:
+  bool given(const char* option) const;
+  const CLI::App* command_ = nullptr;
 };
+
+// "800x600" of --size.
+uvec2 parse_size(const std::string& text);
 
 }  // namespace gnomon::cli

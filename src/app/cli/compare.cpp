@@ -78,15 +78,20 @@ void add_compare(CLI::App& app, const Globals& globals) {
   command->add_option("--max-error", arguments->max_error, "exit with 4 when the mae (hard) of a technique is above this, with 3 when a named technique cannot be measured")
       ->check(CLI::Range(0.0, 1.0));
   command->add_flag("--resume", arguments->resume, "continue an unfinished run in the output folder: results that are still true are kept");
-  command->callback([arguments, &globals] {
+  command->callback([arguments, command, &globals] {
     CompareOptions options;
     options.view = arguments->view.view();
     options.techniques = arguments->techniques;
+    const Preset preset = arguments->view.preset();
+    if (command->get_option("--techniques")->count() == 0 && !preset.techniques.empty()) {
+      options.techniques = arguments->techniques = preset.techniques;
+    }
     options.output = arguments->output;
     options.resume = arguments->resume;
-    const Settings settings = arguments->view.settings();
+    const Settings settings = arguments->view.settings(options.techniques);
     settings.check_used(techniques_named(options.techniques));  // before a device is opened
     warn_of_repeats(options.techniques);
+    arguments->view.write_preset(options.techniques);
     const auto device = globals.open_device();
     const auto folder = compare(*device, options, settings);
     const auto& lines = folder->lines();

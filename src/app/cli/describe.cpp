@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "lab/plan/preset.h"
 
 namespace gnomon::cli {
 namespace {
@@ -52,6 +53,14 @@ void describe(const std::string& name, bool json) {
   for (const auto& [id, table] : lab_tables()) print_table(id, table);
 }
 
+// A preset's own file, as it would be written; false where none has that name.
+bool describe_preset(const std::string& name) {
+  for (const Preset& preset : builtin_presets()) {
+    if (preset.name == name) return std::cout << preset_text(preset), true;
+  }
+  return false;
+}
+
 struct Arguments {
   std::string technique;
   bool json = false;
@@ -62,9 +71,11 @@ struct Arguments {
 void add_describe(CLI::App& app, const Globals&) {
   auto* command = app.add_subcommand("describe", "a technique's manual page and parameter table");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("technique", arguments->technique, "projection/filter or a direct technique (gnomon list)")->required();
+  command->add_option("technique", arguments->technique, "projection/filter or a direct technique (gnomon list), or a preset")->required();
   command->add_flag("--json", arguments->json, "as JSON");
-  command->callback([arguments] { describe(arguments->technique, arguments->json); });
+  command->callback([arguments] {
+    if (!describe_preset(arguments->technique)) describe(arguments->technique, arguments->json);
+  });
 }
 
 }  // namespace gnomon::cli

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "lab/plan/preset.h"
+#include "lab/plan/suite.h"
 #include "scene/load.h"
 
 namespace gnomon::cli {
@@ -28,6 +30,18 @@ Rows scene_rows() {
     }
     rows.emplace_back(scene.name, scene.summary + options);
   }
+  return rows;
+}
+
+Rows preset_rows() {
+  Rows rows;
+  for (const auto& preset : builtin_presets()) rows.emplace_back(preset.name, fmt::format("{} ({})", preset.description, preset.source));
+  return rows;
+}
+
+Rows suite_rows() {
+  Rows rows;
+  for (const auto& suite : builtin_suites()) rows.emplace_back(suite.name, fmt::format("{} ({})", suite.description, suite.source));
   return rows;
 }
 
@@ -73,15 +87,17 @@ struct Arguments {
 }  // namespace
 
 void add_list(CLI::App& app, const Globals&) {
-  auto* command = app.add_subcommand("list", "techniques, scenes, metrics, devices");
+  auto* command = app.add_subcommand("list", "techniques, scenes, presets, suites, metrics, devices");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("what", arguments->what, "what to list")
-      ->check(CLI::IsMember({"techniques", "scenes", "metrics", "devices"}))
+      ->check(CLI::IsMember({"techniques", "scenes", "presets", "suites", "metrics", "devices"}))
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([arguments] {
     const auto rows = arguments->what == "techniques" ? technique_rows()
                       : arguments->what == "scenes"   ? scene_rows()
+                      : arguments->what == "presets"  ? preset_rows()
+                      : arguments->what == "suites"   ? suite_rows()
                       : arguments->what == "metrics"  ? metric_rows()
                                                       : device_rows();
     print(rows, arguments->json);

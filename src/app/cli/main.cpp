@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   cli::add_describe(app, globals);
   cli::add_render(app, globals);
   cli::add_compare(app, globals);
+  cli::add_bench(app, globals);
   cli::add_report(app, globals);
   cli::add_doctor(app, globals);
   try {

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "base/error.h"
 
 namespace gnomon::cli {
 namespace {
@@ -35,17 +36,22 @@ void add_render(CLI::App& app, const Globals& globals) {
   command->add_option("--sun-path", arguments->sun_path, "name of a sun path of the scene: day");
   command->add_option("--seconds", arguments->seconds, "only the first seconds of each path, for slow motion (default: all of it)")
       ->check(CLI::Range(1e-3, 1e6));
-  command->callback([arguments, &globals] {
+  command->callback([arguments, command, &globals] {
     RenderOptions options;
     options.view = arguments->view.view();
     options.technique = arguments->technique;
+    const Preset preset = arguments->view.preset();
+    if (command->get_option("--technique")->count() == 0 && !preset.techniques.empty()) {
+      if (preset.techniques.size() > 1) fail_usage("preset {}: has {} techniques; choose one with --technique", preset.name, preset.techniques.size());
+      options.technique = preset.techniques.front();
+    }
     options.picture = arguments->picture;
     options.output = arguments->output;
     options.frames = arguments->frames;
     options.path = arguments->path, options.sun_path = arguments->sun_path;
     options.seconds = arguments->seconds;
-    const Settings settings = arguments->view.settings();
-    find_technique(options.technique);  // before a device is opened
+    const Settings settings = arguments->view.settings({options.technique});  // before a device is opened
+    arguments->view.write_preset({options.technique});
     const auto device = globals.open_device();
     render(*device, options, settings);
   });
