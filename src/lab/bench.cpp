@@ -11,6 +11,7 @@
 #include "base/version.h"
 #include "lab/bench_kernels.h"
 #include "lab/bench_run.h"
+#include "lab/measure_layering.h"
 #include "lab/plan/quantity.h"
 #include "lab/result_line.h"
 #include "lab/timing.h"
@@ -233,6 +234,7 @@ void check_bench(const BenchOptions& options) { prepare_runs(options); }
 std::vector<json> bench(Device& device, const BenchOptions& options) {
   const std::vector<BenchRun> runs = prepare_runs(options);
   make_folder(options.output);
+  ensure_layering_measured(device);
   auto earlier = options.resume ? earlier_lines(options.output) : std::map<std::string, json>();
   const auto blocks = side_by_side(options.suite);
   std::vector<json> lines;

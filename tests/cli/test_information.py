@@ -11,12 +11,12 @@ class Information(Case):
 
     def test_help_of_every_subcommand(self):
         text = self.run_gnomon("--help").stdout
-        for subcommand in ["list", "describe", "render", "compare", "report", "doctor"]:
+        for subcommand in ["list", "describe", "render", "compare", "bench", "report", "doctor"]:
             self.assertIn(subcommand, text)
             self.assertIn("Usage: gnomon " + subcommand, self.run_gnomon(subcommand, "--help").stdout)
 
     def test_lists_as_text_and_json_agree(self):
-        for what in ["techniques", "scenes", "metrics", "devices"]:
+        for what in ["techniques", "scenes", "presets", "suites", "metrics", "devices"]:
             with self.subTest(what=what):
                 rows = json.loads(self.run_gnomon("list", what, "--json").stdout)
                 text = self.run_gnomon("list", what).stdout

@@ -28,8 +28,10 @@ byId("bars").addEventListener("change", (event) => { state.bars = event.target.v
 renderGroupSelect((group) => { state.group = group; renderGroup(); });
 buildCompare();
 renderGroup();
+renderSuite();
 
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", renderCharts);
+const renderAllCharts = () => { renderCharts(); renderSuiteCharts(); };
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", renderAllCharts);
 // Paper is white: charts are drawn again in the light colours for it.
-addEventListener("beforeprint", () => { document.documentElement.dataset.theme = "light"; renderCharts(); });
-addEventListener("afterprint", () => { delete document.documentElement.dataset.theme; renderCharts(); });
+addEventListener("beforeprint", () => { document.documentElement.dataset.theme = "light"; renderAllCharts(); });
+addEventListener("afterprint", () => { delete document.documentElement.dataset.theme; renderAllCharts(); });
