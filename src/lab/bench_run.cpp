@@ -90,7 +90,11 @@ BenchRun prepare_run(const SuiteRun& run, const BenchOptions& options) {
   const std::string& scene = result.view.scene;
   if (result.spec) {
     assign_preset(result.settings, run.view);
-    result.settings.check_used({result.spec});
+    try {
+      result.settings.check_used({result.spec});
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", run.view.name, error.what()), error.code());
+    }
   } else {
     assign_preset(result.settings, applicable(run.view, scene, nullptr));
   }
