@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/version.h"
 #include "lab/bench_kernels.h"
@@ -185,18 +186,22 @@ class Block {
   std::vector<Entry> entries_;
 };
 
-// Lines of an earlier run by their keys. What is not a line of a bench is not ours.
+// Lines of earlier runs, finished or not, by their keys. What is not a line of a bench is not ours.
 std::map<std::string, json> earlier_lines(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files = {folder / "results.jsonl"};
+  if (const auto run = unfinished_run(folder)) files.push_back(run->folder / "results.jsonl");
   std::map<std::string, json> lines;
-  if (!std::filesystem::exists(folder / "results.jsonl")) return lines;
-  const std::string text = read_text_file(folder / "results.jsonl");
-  for (size_t begin = 0; begin < text.size();) {
-    const size_t end = std::min(text.find('\n', begin), text.size());
-    json line = json::parse(std::string_view(text).substr(begin, end - begin), nullptr, false);
-    begin = end + 1;
-    if (!line.is_object() || !line.contains(json::json_pointer("/bench/key")) || !line["bench"]["key"].is_string()) continue;
-    const std::string key = line["bench"]["key"].get<std::string>() + line["bench"].value("run", "");
-    lines[key] = std::move(line);
+  for (const auto& file : files) {
+    if (!std::filesystem::exists(file)) continue;
+    const std::string text = read_text_file(file);
+    for (size_t begin = 0; begin < text.size();) {
+      const size_t end = std::min(text.find('\n', begin), text.size());
+      json line = json::parse(std::string_view(text).substr(begin, end - begin), nullptr, false);
+      begin = end + 1;
+      if (!line.is_object() || !line.contains(json::json_pointer("/bench/key")) || !line["bench"]["key"].is_string()) continue;
+      const std::string key = line["bench"]["key"].get<std::string>() + line["bench"].value("run", "");
+      lines[key] = std::move(line);
+    }
   }
   return lines;
 }
@@ -212,33 +217,20 @@ std::vector<json> kept_block(std::map<std::string, json>& earlier, const Device&
   return lines;
 }
 
-// In the suite's order, with what its rows say of them: a row stands in the line of its first run.
-void write_lines(const BenchOptions& options, std::vector<json>& lines) {
-  const auto rank = [&](const json& line) { return options.suite.find(line["bench"]["run"].get<std::string>()) - options.suite.runs.data(); };
-  std::stable_sort(lines.begin(), lines.end(), [&](const json& a, const json& b) { return rank(a) < rank(b); });
-  for (json& line : lines) line["bench"]["rows"] = json::array();
-  for (const SuiteRow& row : options.suite.rows) {
-    for (json& line : lines) {
-      if (line["bench"]["run"] == row.runs.front()) line["bench"]["rows"].push_back(evaluate_row(row, lines));
+// What the suite's rows say of a block's runs: all runs of a row are in one block. A row stands in the line of its first run.
+void add_rows(const Suite& suite, std::vector<json>& block) {
+  for (json& line : block) line["bench"]["rows"] = json::array();
+  for (const SuiteRow& row : suite.rows) {
+    for (json& line : block) {
+      if (line["bench"]["run"] == row.runs.front()) line["bench"]["rows"].push_back(evaluate_row(row, block));
     }
   }
-  std::string text;
-  for (const json& line : lines) text += line.dump() + "\n";
-  write_file(options.output / "results.jsonl", text);
 }
 
-}  // namespace
-
-void check_bench(const BenchOptions& options) { prepare_runs(options); }
-
-std::vector<json> bench(Device& device, const BenchOptions& options) {
-  const std::vector<BenchRun> runs = prepare_runs(options);
-  make_folder(options.output);
-  ensure_layering_measured(device);
-  auto earlier = options.resume ? earlier_lines(options.output) : std::map<std::string, json>();
+void measure_all(Device& device, const BenchOptions& options, const std::vector<BenchRun>& runs, std::map<std::string, json>& earlier, ResultFolder& folder) {
   const auto blocks = side_by_side(options.suite);
-  std::vector<json> lines;
   for (size_t i = 0; i < blocks.size(); ++i) {
+    check_interrupted();
     const std::string what = fmt::format("{}: block {} of {}, {} run{}", options.suite.name, i + 1, blocks.size(), blocks[i].size(), blocks[i].size() == 1 ? "" : "s");
     std::vector<json> block = kept_block(earlier, device, runs, blocks[i]);
     if (block.empty()) {
@@ -247,10 +239,33 @@ std::vector<json> bench(Device& device, const BenchOptions& options) {
     } else {
       log_info("{}: kept", what);
     }
-    lines.insert(lines.end(), std::make_move_iterator(block.begin()), std::make_move_iterator(block.end()));
-    write_lines(options, lines);
+    add_rows(options.suite, block);
+    for (json& line : block) folder.add(std::move(line));
   }
-  return lines;
+}
+
+}  // namespace
+
+void check_bench(const BenchOptions& options) { prepare_runs(options); }
+
+std::unique_ptr<ResultFolder> bench(Device& device, const BenchOptions& options) {
+  const std::vector<BenchRun> runs = prepare_runs(options);
+  ensure_layering_measured(device);
+  auto earlier = options.resume ? earlier_lines(options.output) : std::map<std::string, json>();
+  if (!options.resume) {
+    if (const auto run = unfinished_run(options.output)) log_warning("{}: the unfinished run is dropped; --resume would continue it", run->folder.string());
+  }
+  auto folder = std::make_unique<ResultFolder>(options.output, options.resume);
+  const InterruptScope scope;
+  try {
+    measure_all(device, options, runs, earlier, *folder);
+  } catch (const Interrupted&) {
+    throw Error(fmt::format("interrupted: {} of {} runs are kept in {}; the same command with --resume measures the rest", folder->lines().size(), runs.size(),
+                            folder->unfinished().string()),
+                ExitCode::interrupted);
+  }
+  folder->complete();
+  return folder;
 }
 
 }  // namespace gnomon

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/result_folder.h"
 #include "lab/plan/suite.h"
 #include "lab/session.h"
 
@@ -25,8 +25,8 @@ struct BenchOptions {
 // Throws Error (usage) for what no run can use, before a device is opened.
 void check_bench(const BenchOptions& options);
 
-// Writes results.jsonl into the output folder (docs/results_format.md) and returns its lines. The file is whole after each block of
-// runs.
-std::vector<nlohmann::json> bench(Device& device, const BenchOptions& options);
+// Writes results.jsonl (docs/results_format.md) and returns its folder: complete, not yet published. The file is whole after each block of
+// runs. Throws Interrupted, saying what is kept.
+std::unique_ptr<ResultFolder> bench(Device& device, const BenchOptions& options);
 
 }  // namespace gnomon

@@ -153,11 +153,13 @@ void run(const Arguments& arguments, const Globals& globals) {
   if (arguments.dry_run) return print_plan(options.suite);
   if (arguments.output.empty()) fail_usage("--output is required");
   const auto device = globals.open_device();
-  const auto lines = bench(*device, options);
+  const auto folder = bench(*device, options);
+  const auto& lines = folder->lines();
   if (arguments.quick) log_warning("--quick: small pictures, small maps, few frames: no ratio below means anything");
   std::cout << bench_table(lines);
-  const std::filesystem::path folders[] = {options.output};
-  write_report(folders, options.output / "report.html");
+  const std::filesystem::path folders[] = {folder->unfinished()};
+  write_report(folders, folder->unfinished() / "report.html");
+  folder->publish();
   log_info("report: {}", std::filesystem::absolute(options.output / "report.html").string());
 }
 
@@ -178,7 +180,7 @@ void add_bench(CLI::App& app, const Globals& globals) {
   command->add_option("--camera", arguments->camera, "of all runs");
   command->add_option("--light", arguments->lights, "of all runs; repeat for several");
   command->add_option("--set", arguments->assignments, "id.key=value for all runs that have the part, e.g. measure.frames=1000");
-  command->add_flag("--resume", arguments->resume, "keeps runs that DIR/results.jsonl has with the same settings and commit");
+  command->add_flag("--resume", arguments->resume, "keeps runs that the output folder has, finished or not, with the same settings and commit");
   command->add_flag("--dry-run", arguments->dry_run, "checks the suite and prints what would be run");
   command->callback([arguments, &globals] { run(*arguments, globals); });
 }
