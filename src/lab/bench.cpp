@@ -220,9 +220,12 @@ std::vector<json> kept_block(std::map<std::string, json>& earlier, const Device&
 // What the suite's rows say of a block's runs: all runs of a row are in one block. A row stands in the line of its first run.
 void add_rows(const Suite& suite, std::vector<json>& block) {
   for (json& line : block) line["bench"]["rows"] = json::array();
-  for (const SuiteRow& row : suite.rows) {
+  for (size_t i = 0; i < suite.rows.size(); ++i) {
     for (json& line : block) {
-      if (line["bench"]["run"] == row.runs.front()) line["bench"]["rows"].push_back(evaluate_row(row, block));
+      if (line["bench"]["run"] != suite.rows[i].runs.front()) continue;
+      json row = evaluate_row(suite.rows[i], block);
+      row["index"] = i;
+      line["bench"]["rows"].push_back(std::move(row));
     }
   }
 }

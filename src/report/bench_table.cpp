@@ -42,6 +42,8 @@ std::string number(std::optional<double> value) {
   return fmt::format("{:.{}f}", v, v == 0.0 || v >= 100.0 ? 0 : v >= 10.0 ? 1 : v >= 1.0 ? 2 : 3);
 }
 
+std::string count(std::optional<double> value) { return value ? fmt::format("{:.0f}", *value) : "-"; }
+
 std::string text_of(const json& line, const char* pointer) {
   std::string text = text_at(line, pointer);
   std::replace_if(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
@@ -73,7 +75,7 @@ std::string times(std::span<const json> lines) {
     }
     const auto cell = [&](const char* pointer) { return number(number_at(line, pointer)); };
     rows.push_back({text_of(line, "/bench/run"), text_of(line, "/technique"), cell("/gpu_ms/build"), cell("/gpu_ms/resolve"), cell("/gpu_ms/total"),
-                    cell("/timing/frame_ms"), cell("/timing/record_ms"), number(draws), number(triangles)});
+                    cell("/timing/frame_ms"), cell("/timing/record_ms"), count(draws), count(triangles)});
   }
   return aligned(rows) + reasons;
 }
@@ -84,7 +86,7 @@ std::string counters(std::span<const json> lines) {
     if (!is_bench(line) || !line["bench"].value("counters", false)) continue;
     for (const json& pass : list_at(line, "/passes")) {
       if (text_at(pass, "/stage") != "build" || number_at(pass, "/draws").value_or(0.0) == 0.0) continue;
-      rows.push_back({text_of(line, "/bench/run"), text_of(pass, "/name"), number(number_at(pass, "/draws")), number(number_at(pass, "/triangles"))});
+      rows.push_back({text_of(line, "/bench/run"), text_of(pass, "/name"), count(number_at(pass, "/draws")), count(number_at(pass, "/triangles"))});
     }
   }
   return rows.size() == 1 ? "" : "\n" + aligned(rows);
@@ -107,18 +109,30 @@ std::string also(const json& row) {
   return value ? fmt::format("{}: {}", text_at(row, "/also/of"), number(value)) : "";
 }
 
+// In the order of their suite: a row stands in the line of its first run.
+std::vector<const json*> ordered_rows(std::span<const json> lines) {
+  std::vector<const json*> rows;
+  for (const json& line : lines) {
+    for (const json& row : list_at(line, "/bench/rows")) rows.push_back(&row);
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const json* a, const json* b) { return number_at(*a, "/index").value_or(0.0) < number_at(*b, "/index").value_or(0.0); });
+  return rows;
+}
+
 std::string suite_rows(std::span<const json> lines) {
   std::vector<Cells> rows = {{"row", "of", "measured", "over", "value", "published", "goal <=", "met", "also"}};
-  for (const json& line : lines) {
-    for (const json& row : list_at(line, "/bench/rows")) {
-      if (text_at(row, "/kind") == "masks") {
-        const std::string equal = row.value("met", json()).is_boolean() ? (row["met"].get<bool>() ? "equal" : "differ") : "-";
-        rows.push_back({text_of(row, "/name"), "masks", "-", "-", equal, "-", "equal", met(row), ""});
-        continue;
-      }
-      rows.push_back({text_of(row, "/name"), text_of(row, "/of"), number(number_at(row, "/numerator")), number(number_at(row, "/denominator")),
-                      number(number_at(row, "/value")), range(row), number(number_at(row, "/goal")), met(row), also(row)});
+  for (const json* found : ordered_rows(lines)) {
+    const json& row = *found;
+    if (text_at(row, "/kind") == "masks") {
+      const std::string equal = row.value("met", json()).is_boolean() ? (row["met"].get<bool>() ? "equal" : "differ") : "-";
+      rows.push_back({text_of(row, "/name"), "masks", "-", "-", equal, "-", "equal", met(row), ""});
+      continue;
     }
+    // Counts keep all their digits.
+    const bool is_count = text_at(row, "/unit").empty();
+    const auto measured = [&](const char* pointer) { return is_count ? count(number_at(row, pointer)) : number(number_at(row, pointer)); };
+    rows.push_back({text_of(row, "/name"), text_of(row, "/of"), measured("/numerator"), measured("/denominator"), number(number_at(row, "/value")),
+                    range(row), number(number_at(row, "/goal")), met(row), also(row)});
   }
   return rows.size() == 1 ? "" : "\n" + aligned(rows);
 }

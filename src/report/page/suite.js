@@ -1,7 +1,7 @@
 // Rows of a benchmark suite: ratios beside what was published and the goals, and plots of runs over a setting.
 
 const benchLines = data.groups.flatMap((group) => group.rows).filter((row) => row.bench);
-const suiteRows = benchLines.flatMap((row) => row.bench.rows ?? []);
+const suiteRows = benchLines.flatMap((row) => row.bench.rows ?? []).sort((a, b) => (a.index ?? 0) - (b.index ?? 0));  // in the order of their suite
 
 const formatValue = (value, unit) => (unit === "byte" ? withUnit(formatMiB(value), "MiB") : unit === "" ? formatCount(value) : formatMs(value));
 const formatRatio = (value) => orDash(value, (v) => v.toFixed(v >= 10 ? 1 : 2));
@@ -72,7 +72,7 @@ function renderRatios() {
           type: "scatter", label: "goal", data: rows.flatMap((row, i) => (isNumber(row.goal) ? [point(row.goal, i)] : [])), order: 1,
           pointStyle: "line", rotation: 90, pointRadius: 9, pointBorderColor: colours.ink, borderWidth: 2,
         },
-        { label: "published", data: rows.map(range), backgroundColor: colours.line, barThickness: 12, order: 2 },
+        { label: "published", data: rows.map(range), backgroundColor: `${colours.resolve}88`, barThickness: 12, order: 2 },
       ],
     },
     options: {
