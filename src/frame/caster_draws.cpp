@@ -51,12 +51,13 @@ CasterDraws::CasterDraws(Device& device, const GpuScene& scene, const std::strin
   info.depth_compare = VK_COMPARE_OP_LESS;
   info.depth_clamp = options_.depth_clamp;
   info.samples = options_.samples;
-  if (options_.object_ids) info.colour_formats = {VK_FORMAT_R32_UINT};
+  if (options_.object_ids) info.colour_formats = {VK_FORMAT_R32_UINT}, info.constants = {options_.item_ids};
   if (options_.path == LayeringPath::multiview) info.view_mask = (1u << options_.layers) - 1u;
   const std::string path(layering_path_name(options_.path));
   const std::string_view fragment = options_.object_ids ? "frame/caster_id.frag" : "";
   for (const bool masked : {false, true}) {
-    const std::string kind = masked ? "masked" : "opaque";
+    // The vertex shader of masked items also tells the item.
+    const std::string kind = masked || options_.object_ids ? "masked" : "opaque";
     info.vertex = fmt::format("frame/caster_{}_{}.vert", path, kind);
     if (options_.path == LayeringPath::geometry) info.geometry = fmt::format("frame/caster_{}.geom", kind);
     info.fragment = masked ? (options_.object_ids ? "frame/caster_masked_id.frag" : "frame/caster_masked.frag") : fragment;

@@ -36,6 +36,7 @@ struct CasterDrawOptions {
   uint32_t samples = 1;      // of the depth map
   bool paraboloid = false;   // every view is one: triangles are intersected texel by texel instead of bent at their vertices (path: geometry)
   bool object_ids = false;   // also writes the item's object + 1 into a colour attachment, R32_UINT
+  bool item_ids = false;     // with object_ids: the draw item + 1 instead, so that parts of an object differ
 };
 
 class CasterDraws {

@@ -3,7 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/caster_pass.glsl"
 
+layout(constant_id = 0) const uint k_item_ids = 0;  // 1: the draw item + 1 instead
 layout(location = 1) flat in uint item_index;
 layout(location = 0) out uint id;
 
-void main() { id = pass.scene.items.v[item_index].object + 1u; }
+void main() { id = (k_item_ids != 0u ? item_index : pass.scene.items.v[item_index].object) + 1u; }

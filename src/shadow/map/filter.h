@@ -30,7 +30,8 @@ class Filter {
 
   // Constant between rebuilds.
   virtual uint32_t depth_samples() const { return 1; }  // of the depth map; more than one only where record() reads all of them
-  virtual bool object_ids() const { return false; }     // the map also stores which object is nearest
+  virtual bool object_ids() const { return false; }     // the map also stores which object is nearest: MapSample::object_image
+  virtual bool item_ids() const { return false; }       // with object_ids: which draw item, so that parts of an object differ
 
   // Called once per build, before record: makes what the filter needs beside the depth map.
   virtual void prepare(Device& /*device*/, const MapInfo& /*info*/) {}

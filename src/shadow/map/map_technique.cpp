@@ -62,6 +62,7 @@ void MapTechnique::create_map(Device& device, const GpuScene& scene) {
   options.layers = map.layers;
   options.samples = map.samples;
   options.object_ids = filter_->object_ids();
+  options.item_ids = filter_->item_ids();
   draws_ = std::make_unique<CasterDraws>(device, scene, name_, options);
 }
 
@@ -121,7 +122,7 @@ void MapTechnique::record_map(Recorder& recorder, const Frame& frame, size_t lig
 void MapTechnique::record_resolve(Recorder& recorder, const Frame& frame, size_t light) {
   struct Arguments {
     uint64_t frame, views, projection, filter, bias, mask;
-    uint32_t light, map_image;
+    uint32_t light, map_image, object_image, unused;
   };
   const Image& map = filter_->map(drawn());
   const Arguments arguments = {frame.data_address(),
@@ -131,9 +132,12 @@ void MapTechnique::record_resolve(Recorder& recorder, const Frame& frame, size_t
                                params_.address() + bias_offset_,
                                frame.mask_address(light),
                                static_cast<uint32_t>(light),
-                               map.sampled()};
+                               map.sampled(),
+                               filter_->object_ids() ? object_ids_.sampled() : 0,
+                               0};
   std::vector<ResourceUse> uses = frame.surface_uses(Use::compute_read);
   uses.emplace_back(map, Use::compute_read);
+  if (filter_->object_ids()) uses.emplace_back(object_ids_, Use::compute_read);
   uses.emplace_back(views_, Use::compute_read);
   uses.emplace_back(frame.mask(), Use::compute_write);
   recorder.pass(name_ + "/resolve", PassStage::resolve, uses, [&](Commands& commands) {

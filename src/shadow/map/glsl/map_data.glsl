@@ -46,7 +46,7 @@ layout(buffer_reference, scalar) readonly buffer ShadowViews {
   ShadowView v[];
 };
 
-// Where a surface point falls into the map. Footprint, noise and object are zero unless the filter's GLSL defines
+// Where a surface point falls into the map. Footprint, noise, objects and their image are zero unless the filter's GLSL defines
 // GNOMON_FILTER_FOOTPRINT, GNOMON_FILTER_NOISE, GNOMON_FILTER_OBJECT.
 struct MapSample {
   uint layer;
@@ -56,6 +56,7 @@ struct MapSample {
   float size;            // texels along a side
   vec2 depth_gradient;   // d depth / d uv along the receiver's plane; zero when the bias does not follow the plane
   vec2 linear_gradient;  // the same of `linear`
+  float plane_move;      // most that following the plane may change `depth` (bias.plane_limit)
   vec2 footprint_x;      // uv from this pixel to the one beside it, on the receiver's plane: for mips and anisotropy
   vec2 footprint_y;
   vec4 linear_numerator, linear_denominator;
@@ -64,7 +65,8 @@ struct MapSample {
   float texel_m;         // side of a texel at the receiver
   float emitter_radius;  // of the light: metres, or for parallel lights metres of penumbra radius per metre of gap
   bool parallel;
-  uint object;           // of the receiver: index + 1
+  uint object, item;     // of the receiver: index of its object, of its draw item, + 1
+  uint object_image;     // what the map stores of them (Filter::object_ids)
   vec2 noise;            // two numbers in [0, 1) that differ between neighbouring pixels, fixed for each pixel
 };
 

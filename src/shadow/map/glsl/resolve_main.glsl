@@ -13,6 +13,8 @@ layout(push_constant, scalar) uniform Push {
   Floats mask;
   uint light;
   uint map_image;
+  uint object_image;
+  uint unused;
 };
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -47,10 +49,13 @@ float evaluate(Uniforms uniforms, uvec2 pixel, uint s) {
   receiver.to_light = direction_to_light(uniforms.shape, surface.position_ws);
   receiver.pixel_x_ws = receiver.pixel_y_ws = vec3(0.0);
   receiver.noise = vec2(0.0);
-  receiver.object = 0u;
+  receiver.object = receiver.item = receiver.object_image = 0u;
 #ifdef GNOMON_FILTER_OBJECT
   uint index = sample_index(uniforms.camera, pixel, s);
-  receiver.object = frame.v.scene.items.v[uniforms.surface.item.v[index]].object + 1u;
+  uint item = uniforms.surface.item.v[index];
+  receiver.item = item + 1u;
+  receiver.object = frame.v.scene.items.v[item].object + 1u;
+  receiver.object_image = object_image;
 #endif
 #ifdef GNOMON_FILTER_FOOTPRINT
   receiver.pixel_x_ws = to_neighbour(uniforms.camera, ivec2(pixel) + ivec2(1, 0), s, surface);

@@ -14,7 +14,8 @@ struct Receiver {
   vec3 position_ws, normal_ws;  // geometric normal, unit
   vec3 to_light;                // unit
   vec3 pixel_x_ws, pixel_y_ws;  // from the point to where its neighbouring pixels see the receiver's plane; zero: no mips
-  uint object;                  // index of its object + 1
+  uint object, item;            // index of its object, of its draw item, + 1
+  uint object_image;            // where the map stores which object is nearest to the light
   vec2 noise;                   // [0, 1), different in neighbouring pixels
 };
 
@@ -52,6 +53,7 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
   at.linear_denominator = view.linear_denominator;
   at.linear = linear_depth(at.linear_numerator, at.linear_denominator, at.uv, at.depth);
   at.depth_gradient = at.linear_gradient = vec2(0.0);
+  at.plane_move = 0.0;
   if (bias.receiver_plane != 0u) {
     at.depth_gradient = projective ? plane_depth_gradient(view.world_from_clip, moved, receiver.normal_ws)
                                    : paraboloid_gradient(view, moved, receiver.normal_ws, at.texel_m);
@@ -60,6 +62,9 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
     float below = dot(view.linear_denominator, ndc1);
     vec4 change = (view.linear_numerator - at.linear * view.linear_denominator) / below;
     at.linear_gradient = 2.0 * change.xy + change.z * at.depth_gradient;
+    // Metres to the map's depth, along the plane.
+    float steepness_m = length(at.linear_gradient) * view.depth_range_m;
+    at.plane_move = steepness_m > 0.0 ? bias.plane_limit * length(at.depth_gradient) / steepness_m : 0.0;
   }
   at.footprint_x = light_uv(view, moved + receiver.pixel_x_ws) - at.uv;
   at.footprint_y = light_uv(view, moved + receiver.pixel_y_ws) - at.uv;
@@ -69,6 +74,8 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
   at.parallel = views.map.parallel != 0u;
   at.noise = receiver.noise;
   at.object = receiver.object;
+  at.item = receiver.item;
+  at.object_image = receiver.object_image;
   return at;
 }
 
