@@ -38,6 +38,22 @@ bool touches(CasterRange range, LightView view) {
   return !outside_plane(range, rows[3] - rows[2]);
 }
 
+// Whether all that the range can shadow lies where a finer layer serves it. A kernel of layer `l` that reads from outside that place must
+// still meet the caster.
+bool served_by_finer(CasterRange range, uint l, float kernel_m) {
+  vec3 centre = 0.5 * (range.bounds_min_ws + range.bounds_max_ws), half_size = range.bounds_max_ws - centre;
+  for (uint finer = 0u; finer < l; ++finer) {
+    LightView view = light_view(arguments.views, arguments.stride, finer).v;
+    if (view.in_use == 0u || !(view.served > 0.0)) continue;
+    mat4 rows = transpose(view.clip_from_world);
+    vec2 reach = abs(vec2(dot(rows[0], vec4(centre, 1.0)), dot(rows[1], vec4(centre, 1.0)))) +
+                 vec2(dot(abs(rows[0].xyz), half_size), dot(abs(rows[1].xyz), half_size)) +
+                 kernel_m * vec2(length(rows[0].xyz), length(rows[1].xyz));
+    if (max(reach.x, reach.y) < view.served) return true;
+  }
+  return false;
+}
+
 // Inclusive prefix sum over the work group.
 uint scan_group(uint value) {
   uint lane = gl_LocalInvocationIndex;
@@ -65,7 +81,9 @@ void main() {
     range = arguments.ranges.v[index];
     uint first = is_union ? 0u : layer, last = is_union ? arguments.layers : layer + 1u;
     for (uint l = first; l < last; ++l) {
-      if (touches(range, light_view(arguments.views, arguments.stride, l).v)) mask |= 1u << l;
+      LightView view = light_view(arguments.views, arguments.stride, l).v;
+      if (!touches(range, view)) continue;
+      if (arguments.cull == 0u || !served_by_finer(range, l, view.kernel_m)) mask |= 1u << l;
     }
   }
   masks[lane] = mask;

@@ -1,4 +1,6 @@
 // Suites: reading, blocks, quantities, ratios.
+#include <nlohmann/json.hpp>
+
 #include "lab/plan/suite.h"
 
 #include <gtest/gtest.h>

@@ -86,8 +86,8 @@ layout(buffer_reference, scalar) readonly buffer Attributess { VertexAttributes 
 layout(buffer_reference, scalar) readonly buffer Indexs { uint v[]; };
 layout(buffer_reference, scalar) readonly buffer Materials { MaterialData v[]; };
 layout(buffer_reference, scalar) readonly buffer Lights { LightData v[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Floats { float v[]; };
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Uints { uint v[]; };
+layout(buffer_reference, scalar) buffer Floats { float v[]; };
+layout(buffer_reference, scalar) buffer Uints { uint v[]; };
 layout(buffer_reference, scalar) buffer Vec4s { vec4 v[]; };
 layout(buffer_reference, scalar) writeonly buffer DrawCommands { DrawCommand v[]; };
 #endif

@@ -18,6 +18,11 @@ struct LightView {
   float near_m;  // paraboloid: distances at depth 0 and 1
   float far_m;
   uint in_use;   // 0: this frame does not need the layer; nothing is drawn into it
+  // Where |x| and |y| of clip space stay below this, every point of the column is served by this layer or a finer one (a lower number):
+  // what casts only there need not be drawn into coarser layers. 0: nowhere.
+  float served;
+  float kernel_m;  // how far from a point's own place its kernel reads in this layer, metres
+  uint unused_1, unused_2;
 };
 
 // Clip-space radius of the directions across the axis.

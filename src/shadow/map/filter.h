@@ -33,6 +33,10 @@ class Filter {
   virtual bool object_ids() const { return false; }     // the map also stores which object is nearest: MapSample::object_image
   virtual bool item_ids() const { return false; }       // with object_ids: which draw item, so that parts of an object differ
 
+  // Texels from a point's own place that lit() may read, mips aside. Casters farther than this from every point that a layer serves
+  // need not be drawn into it.
+  virtual float reach() const { return 32.0f; }
+
   // Called once per build, before record: makes what the filter needs beside the depth map.
   virtual void prepare(Device& /*device*/, const MapInfo& /*info*/) {}
   // Passes between the depth map and the resolve. None where the filter reads depth itself.

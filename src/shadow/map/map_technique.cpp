@@ -81,7 +81,8 @@ void MapTechnique::set(const SettingsMap& settings) {
 }
 
 bool MapTechnique::update_views(const Frame& frame, const Light& light) {
-  const std::vector<ShadowView> views = projection_->views(frame, light);
+  std::vector<ShadowView> views = projection_->views(frame, light);
+  for (ShadowView& view : views) view.raster.kernel_m = filter_->reach() * view.texel_m;
   GNOMON_ASSERT(views.size() <= projection_->layers());
   std::vector<std::byte> bytes(views_.bytes());
   const CameraData& camera = frame.camera();

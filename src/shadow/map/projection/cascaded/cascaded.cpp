@@ -63,6 +63,8 @@ class Cascaded : public Projection {
                                                   : box_view(frame, light, light_frame, bounds, splits[i], splits[i + 1]);
       view.interval_m = vec2(i == 0 ? 0.0f : splits[i], splits[i + 1]);
       view.border = params_.border;
+      // As cascaded.glsl selects and blends.
+      if (nested()) view.raster.served = std::max(1.0f - 2.0f * params_.border / static_cast<float>(params_.size), 0.0f) * (1.0f - params_.blend);
       views.push_back(view);
     }
     return views;
@@ -125,10 +127,13 @@ class Cascaded : public Projection {
     }
   }
 
+  bool nested() const { return params_.nested && params_.selection == selection_map; }
+
   // A depth range that the depth clamp shortens at its near end.
   std::pair<float, float> depths(const Bounds& bounds, float slice_near, float slice_far) const {
     Box receivers = bounds.scene;
-    receivers.max.z = std::min(receivers.max.z, std::max(slice_far, bounds.scene.min.z));
+    // A cascade that serves a column alone serves all of it.
+    if (!nested()) receivers.max.z = std::min(receivers.max.z, std::max(slice_far, bounds.scene.min.z));
     Box casters = bounds.casters;
     if (params_.near == near_clamp) casters.min.z = std::max(casters.min.z, std::min(slice_near, receivers.max.z));
     return depth_range(casters, receivers);
