@@ -53,6 +53,13 @@ void host_barrier(VkCommandBuffer commands) {
   vkCmdPipelineBarrier2(commands, &dependency);
 }
 
+void widen(VkMemoryBarrier2& memory, const Transition& transition) {
+  memory.srcStageMask |= transition.from_stages;
+  memory.srcAccessMask |= transition.from_access;
+  memory.dstStageMask |= transition.to_stages;
+  memory.dstAccessMask |= transition.to_access;
+}
+
 }  // namespace
 
 std::string_view stage_name(PassStage stage) {
@@ -149,15 +156,14 @@ void Recorder::barriers(std::span<const ResourceUse> uses) {
   for (const auto& use : uses) {
     if (const auto* image = std::get_if<const Image*>(&use.resource)) {
       const Transition transition = advance((*image)->state(), use.use);
-      if (transition.needed) images.push_back(image_barrier(**image, transition));
+      if (!transition.needed) continue;
+      images.push_back(image_barrier(**image, transition));
+      // Beside the change of layout: validation takes every image of the bindless set for used by every dispatch.
+      widen(memory, transition);
     } else {
       // Buffers have no layout: one global barrier covers all of them, and drivers do the same for both forms.
       const Transition transition = advance(std::get<const Buffer*>(use.resource)->state(), use.use);
-      if (!transition.needed) continue;
-      memory.srcStageMask |= transition.from_stages;
-      memory.srcAccessMask |= transition.from_access;
-      memory.dstStageMask |= transition.to_stages;
-      memory.dstAccessMask |= transition.to_access;
+      if (transition.needed) widen(memory, transition);
     }
   }
   VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
