@@ -42,7 +42,7 @@ MomentMap::MomentMap(Device& device, const MapInfo& map, const MomentMapInfo& in
 }
 
 Pipeline MomentMap::make_convert(uint32_t radius) const {
-  return make_compute_pipeline(*device_, "convert/" + info_.filter + ".comp", {info_.depth_samples, radius, tile_});
+  return make_compute_pipeline(*device_, "convert/" + info_.filter + ".comp", {info_.depth_samples, radius, tile_, uses_depth_tile() ? 1u : 0u});
 }
 
 void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius, BlurShape shape) {
@@ -51,7 +51,7 @@ void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radiu
     // every device has 32 KiB.
     const auto bytes = [&](uint32_t tile) {
       const uint32_t side = tile + 2 * radius, depths = (side + 3) * (side + 3);
-      return 4 * (depths + (radius == 0 ? 0 : info_.channels * side * (side + tile)));
+      return 4 * ((uses_depth_tile() ? depths : 0) + (radius == 0 ? 0 : info_.channels * side * (side + tile)));
     };
     tile_ = bytes(32) <= 32768 ? 32 : bytes(16) <= 32768 ? 16 : 8;
     convert_ = make_convert(radius);

@@ -19,6 +19,7 @@ layout(push_constant, scalar) uniform Push {
 layout(constant_id = 0) const uint k_samples = 1;
 layout(constant_id = 1) const int k_radius = 0;
 layout(constant_id = 2) const int k_tile = 32;
+layout(constant_id = 3) const bool k_depth_tile = false;  // see MomentMap::record
 layout(local_size_x = 256) in;
 
 const int k_side = k_tile + 2 * k_radius;
@@ -28,7 +29,7 @@ shared MOMENTS rows[k_radius == 0 ? 1 : k_tile * k_side];
 // Linear depths of the tile, its apron and one texel more: encoding looks at neighbours.
 #define MOMENTS_DEPTH_TILE
 const int k_depth_side = k_side + 3;
-shared float depths[k_samples == 1u ? k_depth_side * k_depth_side : 1];
+shared float depths[k_depth_tile ? k_depth_side * k_depth_side : 1];
 #endif
 
 // Read once: the same for every texel of the group.
@@ -47,7 +48,7 @@ float fetch_linear(ivec2 texel, int s) {
 
 float linear_at(ivec2 texel, int s) {
 #ifdef MOMENTS_DEPTH_TILE
-  if (k_samples == 1u) {
+  if (k_depth_tile) {
     ivec2 at = texel - tile_origin + k_radius + 1;
     return depths[at.y * k_depth_side + at.x];
   }
@@ -123,7 +124,7 @@ void main() {
   tile_origin = ivec2(gl_WorkGroupID.xy) * k_tile;
   int lane = int(gl_LocalInvocationIndex);
 #ifdef MOMENTS_DEPTH_TILE
-  if (k_samples == 1u) {
+  if (k_depth_tile) {
     ivec2 first = tile_origin - k_radius - 1;
     for (int i = lane; i < k_depth_side * k_depth_side; i += 256) depths[i] = fetch_linear(first + ivec2(i % k_depth_side, i / k_depth_side), 0);
     barrier();

@@ -15,20 +15,25 @@ constexpr const char* k_manual =
     "Fernando 2005. Texels nearer to the light than the receiver are looked for over the disc from which a blocker could hide part of\n"
     "the light; their mean depth gives the penumbra's width by similar triangles from the light's real size (angular diameter of a\n"
     "sun, radius of a lamp), and that many texels are filtered. pcss.cone leaves out texels that the search meets but that hide\n"
-    "nothing of the light, among them the receiver itself. A light without size gets a sharp filter of pcss.min_radius. One mean\n"
+    "nothing of the light, and pcss.rise keeps a wide filter from taking the receiver's own unevenness for a caster. A light without size gets a sharp filter of pcss.min_radius. One mean\n"
     "stands for all blockers: overlapping penumbrae of casters at different heights are wrong. pcss.max_radius limits how far the taps\n"
     "are spread; beyond it shadows are too sharp. Few taps over a wide disc give noise (pcss.rotate) or bands.";
 
 class Pcss : public Filter {
  public:
-  void set(const ParamBlock&) override {}
+  explicit Pcss(const ParamBlock& params) { set(params); }
+  void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
+  float reach() const override { return params_.max_radius + 2.0f; }
+
+ private:
+  Params params_;
 };
 
 }  // namespace
 
 GNOMON_REGISTER(filter, Filter) {
   return {GNOMON_ID_TEXT, k_manual, param_table_storage(), [](const ProjectionInfo&) { return std::string(); },
-          [](const ParamBlock&) -> std::unique_ptr<Filter> { return std::make_unique<Pcss>(); }};
+          [](const ParamBlock& params) -> std::unique_ptr<Filter> { return std::make_unique<Pcss>(params); }};
 }
 
 }  // namespace gnomon

@@ -20,7 +20,9 @@ float mean_blocker(uint map_image, MapSample at, FilterParams params, mat2 turn)
   float reach = min(max(penumbra_texels(at, params, 0.0), params.min_radius), params.max_radius);
   float sum = 0.0, count = 0.0;
   for (int i = 0; i < params.search_taps; ++i) {
-    vec2 offset = turn * disc_point(params, i, params.search_taps) * reach;
+    // Denser toward the middle: low blockers, with their narrow cones, are found there alone.
+    vec2 point = disc_point(params, i, params.search_taps);
+    vec2 offset = turn * point * (length(point) * reach);
     vec2 texel = floor(at.uv * at.size + offset);
     vec2 uv = (texel + 0.5) / at.size;
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, vec2(at.size)))) continue;
@@ -35,20 +37,32 @@ float mean_blocker(uint map_image, MapSample at, FilterParams params, mat2 turn)
   return count > 0.0 ? sum / count : 2.0;
 }
 
+// The map's depth per metre toward the light at the receiver: the inverse derivative of linear_depth.
+float depth_per_m(MapSample at) {
+  vec4 ndc = vec4(at.uv * 2.0 - 1.0, at.depth, 1.0);
+  float change = (at.linear_numerator.z - at.linear * at.linear_denominator.z) / dot(at.linear_denominator, ndc);
+  return change > 0.0 ? 1.0 / (change * at.depth_range_m) : 0.0;
+}
+
 float lit(uint map_image, MapSample at, FilterParams params) {
   mat2 turn = disc_turn(params.rotate != 0u ? at.noise.x : 0.0);
-  float radius = 0.0;
+  float radius = 0.0, gap_depth = 0.0;
   // A light without size has no penumbra to look for.
   if (at.emitter_radius * params.light_scale > 0.0) {
     float blocker = mean_blocker(map_image, at, params, turn);
     if (blocker > 1.5) return compare_bilinear(map_image, at, at.uv);
     radius = penumbra_texels(at, params, blocker);
+    // What a tap meets hides the light only if it stands high enough above the receiver for its distance: not the next paving stone.
+    gap_depth = params.rise * max(at.linear - blocker, 0.0) * at.depth_range_m * depth_per_m(at);
   }
   radius = min(max(radius, params.min_radius), params.max_radius);
   if (radius == 0.0) return compare_bilinear(map_image, at, at.uv);
   float sum = 0.0;
   for (int i = 0; i < params.taps; ++i) {
-    sum += compare_bilinear(map_image, at, at.uv + turn * disc_point(params, i, params.taps) * (radius / at.size));
+    vec2 point = disc_point(params, i, params.taps);
+    MapSample tap = at;
+    tap.depth -= length(point) * gap_depth;
+    sum += compare_bilinear(map_image, tap, at.uv + turn * point * (radius / at.size));
   }
   return sum / float(params.taps);
 }

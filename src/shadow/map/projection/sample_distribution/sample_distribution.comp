@@ -158,7 +158,7 @@ void write_view(uint layer, vec3 low, vec3 high, vec2 interval) {
   }
   view.raster.clip_from_world[3] = vec4(-2.0 * middle / extent, -low.z / depth, 1.0);
   view.raster.kind = k_view_projective;
-  view.raster.near_m = view.raster.far_m = 0.0;
+  view.raster.near_m = view.raster.far_m = view.raster.served = view.raster.kernel_m = 0.0;
   view.raster.in_use = 1u;
   view.world_from_clip = mat4(vec4(0.5 * extent.x * data.light_x_ws, 0.0), vec4(0.5 * extent.y * data.light_y_ws, 0.0),
                               vec4(depth * data.light_z_ws, 0.0),
