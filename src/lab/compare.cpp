@@ -40,7 +40,7 @@ class LightComparison {
     nlohmann::json line;
     line["technique"] = spec.name;
     line["command"] = repeat_command(session_, spec.name, light_argument_);
-    line["settings"] = session_.settings().to_json(session_.settings().for_technique(spec));
+    line["settings"] = session_.settings().to_json(session_.settings_of(spec, 0));
     line["status"] = "ok";
     line["reason"] = "";
     line.update(common_);

@@ -105,8 +105,9 @@ std::filesystem::path numbered(const std::filesystem::path& output, uint32_t fra
 }  // namespace
 
 void render(Device& device, const RenderOptions& options, const Settings& settings) {
-  const TechniqueSpec& spec = find_technique(options.technique);
-  settings.check_used({&spec});
+  std::vector<const TechniqueSpec*> specs;
+  for (const std::string& name : options.techniques) specs.push_back(&find_technique(name));
+  settings.check_used(specs);
   const std::string extension = options.output.extension().string();
   if (extension != ".png" && extension != ".exr") fail_usage("-o {}: valid: a path that ends in .png or .exr", options.output.string());
   if (options.picture == Picture::error && extension == ".exr") fail_usage("--show error: valid: a path that ends in .png");
@@ -116,14 +117,13 @@ void render(Device& device, const RenderOptions& options, const Settings& settin
   if (options.picture != Picture::shaded && session.chosen_lights().size() > 1) {
     fail_usage("--show mask, error and reference show one light; {} are chosen with --light", session.chosen_lights().size());
   }
-  if (const std::string reason = session.unavailable(spec); !reason.empty()) fail_device("{}: {}", spec.name, reason);
   if (options.frames == 0) {
-    draw(session, session.make_techniques(spec));
+    draw(session, session.make_techniques(specs));
     write_picture(session, options.picture, options.output);
     return;
   }
   Motion motion(session, options);
-  const auto techniques = session.make_techniques(spec);
+  const auto techniques = session.make_techniques(specs);
   Progress progress("frames", options.frames);
   for (uint32_t frame = 0; frame < options.frames; ++frame) {
     motion.apply(session, frame);

@@ -11,7 +11,7 @@ enum class Picture { shaded, mask, error, reference };
 
 struct RenderOptions {
   ViewOptions view;
-  std::string technique;
+  std::vector<std::string> techniques;  // each light takes the first that supports its kind
   Picture picture = Picture::shaded;
   // 0: one picture. Else as many, `output` with _0000, _0001, ... before its extension, evenly over the paths (the camera's is
   // `walk` where neither is named). seconds 0: each path from end to end; else the first `seconds` of each.

@@ -36,6 +36,12 @@ Session::Session(Device& device, const ViewOptions& options, Settings settings)
   camera_ = choose_camera(scene_, options_, settings_);
   lights_ = choose_lights(scene_, options_, settings_);
   warn_of_suns_below_horizon(lights_);
+  for (const std::string& name : settings_.lights_named()) {
+    const bool chosen = std::any_of(lights_.begin(), lights_.end(), [&](const Light& light) { return light.name == name; });
+    std::vector<std::string_view> names;
+    for (const Light& light : lights_) names.push_back(light.name);
+    if (!chosen) fail_usage("--set {}@...: no chosen light has that name; valid: {}", name, fmt::join(names, ", "));
+  }
   gpu_scene_ = std::make_unique<GpuScene>(device_, scene_);
   record_light(lights_.front(), settings_);
   make_frame(lights_);
@@ -81,11 +87,22 @@ std::string Session::unavailable(const TechniqueSpec& spec) const {
 }
 
 std::vector<std::unique_ptr<Technique>> Session::make_techniques(const TechniqueSpec& spec) {
-  const SettingsMap settings = settings_.for_technique(spec);
+  const TechniqueSpec* const one[] = {&spec};
+  return make_techniques(one);
+}
+
+std::vector<std::unique_ptr<Technique>> Session::make_techniques(std::span<const TechniqueSpec* const> specs) {
   std::vector<std::unique_ptr<Technique>> techniques;
-  for (size_t light = 0; light < frame_->lights().size(); ++light) techniques.push_back(spec.make(*context_, settings));
+  for (size_t light = 0; light < frame_->lights().size(); ++light) {
+    const LightKind kind = frame_->lights()[light].kind;
+    const auto spec = std::find_if(specs.begin(), specs.end(), [&](const TechniqueSpec* candidate) { return candidate->supports(kind); });
+    if (spec == specs.end()) fail_device("light '{}': no technique of this run supports {} lights", frame_->lights()[light].name, light_kind_name(kind));
+    techniques.push_back((*spec)->make(*context_, settings_of(**spec, light)));
+  }
   return techniques;
 }
+
+SettingsMap Session::settings_of(const TechniqueSpec& spec, size_t light) const { return settings_.for_technique(spec, frame_->lights()[light].name); }
 
 void Session::record_frame(Recorder& recorder, std::span<const std::unique_ptr<Technique>> techniques) {
   frame_->record_surface(recorder);

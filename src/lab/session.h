@@ -60,8 +60,12 @@ class Session {
 
   // Empty when `spec` can run here: on this device, under these lights. Else the reason.
   std::string unavailable(const TechniqueSpec& spec) const;
-  // One technique object per light: each keeps its own map.
+  // One technique object per light: each keeps its own map and has its own settings.
   std::vector<std::unique_ptr<Technique>> make_techniques(const TechniqueSpec& spec);
+  // The same, where each light takes the first of the list that supports its kind. Throws Error (device) where none does.
+  std::vector<std::unique_ptr<Technique>> make_techniques(std::span<const TechniqueSpec* const> specs);
+  // What is in force for a light of the frame.
+  SettingsMap settings_of(const TechniqueSpec& spec, size_t light) const;
   // Surface, masks of all lights, shading.
   void record_frame(Recorder& recorder, std::span<const std::unique_ptr<Technique>> techniques);
   // Shades with the mask as it lies in the frame. Returns the picture.

@@ -49,6 +49,12 @@ Settings::Settings() {
 }
 
 void Settings::assign(std::string_view assignment, std::string_view source) {
+  const std::string_view whole = assignment;
+  std::string light;
+  if (const size_t at = assignment.find('@'); at != assignment.npos && at < assignment.find('=')) {
+    light = assignment.substr(0, at);
+    assignment.remove_prefix(at + 1);
+  }
   const size_t dot = assignment.find('.'), equals = assignment.find('=');
   if (dot == assignment.npos || equals == assignment.npos || dot > equals) {
     fail_usage("{} {}: not of the form id.key=value; valid ids: {}", source, assignment, valid_ids());
@@ -56,6 +62,7 @@ void Settings::assign(std::string_view assignment, std::string_view source) {
   const std::string id(assignment.substr(0, dot)), name(assignment.substr(dot + 1, equals - dot - 1));
   const std::string value(assignment.substr(equals + 1));
   const std::string where = source == "--set" ? id + "." + name : fmt::format("{} {}.{}", source, id, name);
+  if (!light.empty() && !is_technique_part(id)) fail_usage("{} {}: '{}' is no part of a technique; only those have values of their own for a light", source, whole, id);
   if (const auto block = blocks_.find(id); block != blocks_.end()) {
     block->second.set(name, value, where);
   } else if (id == "scene") {
@@ -65,11 +72,11 @@ void Settings::assign(std::string_view assignment, std::string_view source) {
     scene_options_[name] = number;
   } else if (const auto table = technique_tables().find(id); table != technique_tables().end()) {
     ParamBlock(table->second).set(name, value, where);  // refuses a bad value now
-    of_techniques_.push_back({id, name, value});
+    of_techniques_.push_back({id, name, value, light});
   } else {
     fail_usage("{} {}: unknown id '{}'; valid: {}", source, assignment, id, valid_ids());
   }
-  assignments_.emplace_back(assignment);
+  assignments_.emplace_back(whole);
 }
 
 bool Settings::is_technique_part(std::string_view id) { return technique_tables().contains(id); }
@@ -94,18 +101,31 @@ void Settings::set_effective(std::string_view id, std::string_view name, double 
   found->second.set_number(name, std::clamp(value, info->min, info->max), name);
 }
 
-SettingsMap Settings::for_technique(const TechniqueSpec& spec) const {
+SettingsMap Settings::for_technique(const TechniqueSpec& spec, std::string_view light) const {
   SettingsMap settings = spec.default_settings();
-  for (const auto& [id, name, value] : of_techniques_) {
-    if (const auto block = settings.find(id); block != settings.end()) block->second.set(name, value, id + "." + name);
+  for (const bool of_one_light : {false, true}) {
+    for (const Assignment& a : of_techniques_) {
+      if (of_one_light ? a.light.empty() || a.light != light : !a.light.empty()) continue;
+      if (const auto block = settings.find(a.id); block != settings.end()) block->second.set(a.name, a.value, a.id + "." + a.name);
+    }
   }
   return settings;
+}
+
+std::vector<std::string> Settings::lights_named() const {
+  std::set<std::string> names;
+  for (const Assignment& a : of_techniques_) {
+    if (!a.light.empty()) names.insert(a.light);
+  }
+  return {names.begin(), names.end()};
 }
 
 std::vector<std::string> Settings::assignments_for(const TechniqueSpec& spec) const {
   std::vector<std::string> result;
   for (const std::string& text : assignments_) {
-    const std::string_view id = std::string_view(text).substr(0, text.find('.'));
+    const size_t equals = text.find('='), at = text.find('@');
+    const size_t begin = at != text.npos && at < equals ? at + 1 : 0;
+    const std::string_view id = std::string_view(text).substr(begin, text.find('.', begin) - begin);
     const bool of_technique = std::any_of(spec.tables.begin(), spec.tables.end(), [&](const auto& table) { return table.first == id; });
     if (of_technique || id == "scene" || blocks_.contains(id)) result.push_back(text);
   }
@@ -120,7 +140,7 @@ void Settings::complete_scene_options(const std::string& scene) {
 }
 
 void Settings::check_used(const std::vector<const TechniqueSpec*>& techniques) const {
-  for (const auto& [id, name, value] : of_techniques_) {
+  for (const auto& [id, name, value, light] : of_techniques_) {
     const bool used = std::any_of(techniques.begin(), techniques.end(), [&](const TechniqueSpec* spec) {
       return std::any_of(spec->tables.begin(), spec->tables.end(), [&](const auto& table) { return table.first == id; });
     });

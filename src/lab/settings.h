@@ -20,7 +20,7 @@ class Settings {
  public:
   Settings();
 
-  // "pcf.size=5". Throws Error (usage) for a key that no part of the program reads, or a value out of range; `source` is where the
+  // "pcf.size=5", or "lamp@pcf.size=5" for the technique of one light. Throws Error (usage) for a key that no part of the program reads, or a value out of range; `source` is where the
   // assignment stands, for the message.
   void assign(std::string_view assignment, std::string_view source = "--set");
 
@@ -30,8 +30,10 @@ class Settings {
   bool was_set(std::string_view key) const;            // "light.azimuth": given by the user, so it overrides the scene
   void set_effective(std::string_view id, std::string_view name, double value);  // what the scene decided, for the record
 
-  // A technique's defaults with the user's assignments.
-  SettingsMap for_technique(const TechniqueSpec& spec) const;
+  // A technique's defaults with the user's assignments; with those for a light of that name after the others.
+  SettingsMap for_technique(const TechniqueSpec& spec, std::string_view light = {}) const;
+  // Names of lights that assignments are for.
+  std::vector<std::string> lights_named() const;
   // Options of a built-in scene.
   const std::map<std::string, double>& scene_options() const { return scene_options_; }
   // Adds the defaults of a built-in scene's options, for the record.
@@ -46,7 +48,7 @@ class Settings {
 
  private:
   struct Assignment {
-    std::string id, name, value;
+    std::string id, name, value, light;  // light: empty for all
   };
   std::map<std::string, ParamBlock, std::less<>> blocks_;
   std::vector<Assignment> of_techniques_;

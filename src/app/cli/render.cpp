@@ -11,7 +11,8 @@ namespace {
 
 struct Arguments {
   ViewArguments view;
-  std::string technique = "single/pcf", output;
+  std::vector<std::string> techniques = {"single/pcf"};
+  std::string output;
   Picture picture = Picture::shaded;
   uint32_t frames = 0;
   std::string path, sun_path;
@@ -24,7 +25,9 @@ void add_render(CLI::App& app, const Globals& globals) {
   auto* command = app.add_subcommand("render", "one picture of a scene with one technique, or a sequence");
   const auto arguments = std::make_shared<Arguments>();
   arguments->view.add_to(*command);
-  command->add_option("--technique", arguments->technique, "projection/filter or a direct technique")->capture_default_str();
+  command->add_option("--technique", arguments->techniques, "projection/filter or a direct technique; several, separated by commas: each light takes the first for its kind")
+      ->delimiter(',')
+      ->capture_default_str();
   command->add_option("-o,--output", arguments->output, "picture to write: .png, or .exr for scene-linear values")->required();
   const std::map<std::string, Picture> names = {
       {"shaded", Picture::shaded}, {"mask", Picture::mask}, {"error", Picture::error}, {"reference", Picture::reference}};
@@ -39,19 +42,19 @@ void add_render(CLI::App& app, const Globals& globals) {
   command->callback([arguments, command, &globals] {
     RenderOptions options;
     options.view = arguments->view.view();
-    options.technique = arguments->technique;
+    options.techniques = arguments->techniques;
+    if (command->get_option("--technique")->count() == 0) options.techniques.emplace_back("cube/pcf");  // for point lights
     const Preset preset = arguments->view.preset();
     if (command->get_option("--technique")->count() == 0 && !preset.techniques.empty()) {
-      if (preset.techniques.size() > 1) fail_usage("preset {}: has {} techniques; choose one with --technique", preset.name, preset.techniques.size());
-      options.technique = preset.techniques.front();
+      options.techniques = preset.techniques;
     }
     options.picture = arguments->picture;
     options.output = arguments->output;
     options.frames = arguments->frames;
     options.path = arguments->path, options.sun_path = arguments->sun_path;
     options.seconds = arguments->seconds;
-    const Settings settings = arguments->view.settings({options.technique});  // before a device is opened
-    arguments->view.write_preset({options.technique});
+    const Settings settings = arguments->view.settings(options.techniques);  // before a device is opened
+    arguments->view.write_preset(preset.techniques.empty() ? arguments->techniques : options.techniques);
     const auto device = globals.open_device();
     render(*device, options, settings);
   });
