@@ -1,5 +1,5 @@
-// Loading is limited by the disk and the parser, not by what follows: seconds for a large model as text, and for the files named on the
-// command line. Times of frames are suites (gnomon bench).
+// Loading is limited by the disk and the parser, not by what follows: seconds for a large model as text, and for the files
+// named on the command line. Times of frames are suites (gnomon bench).
 #include <fmt/format.h>
 
 #include <chrono>

@@ -26,8 +26,9 @@ using nlohmann::json;
 void check_override(const BenchOptions& options, const std::vector<BenchRun>& runs) {
   for (const auto& [key, value] : options.override.set) {
     const std::string id = key.substr(0, key.find('.'));
-    const bool used = !Settings::is_technique_part(id) ||
-                      std::any_of(runs.begin(), runs.end(), [&](const BenchRun& run) { return run.values.find(id) != run.values.end(); });
+    const bool used = !Settings::is_technique_part(id) || std::any_of(runs.begin(), runs.end(), [&](const BenchRun& run) {
+      return run.values.find(id) != run.values.end();
+    });
     if (!used) fail_usage("--set {}={}: no technique of this suite has the part '{}'", key, value, id);
   }
 }
@@ -41,7 +42,8 @@ std::vector<BenchRun> prepare_runs(const BenchOptions& options) {
 
 // What a kept line must agree in.
 std::string key_of(const BenchRun& run, const DeviceInfo& device) {
-  const json key = {run.view_key(), run.all_settings(), run.technique(), commit(), version(), build_type(), device.name, device.driver_version};
+  const json key = {run.view_key(), run.all_settings(), run.technique(), commit(),
+                    version(),      build_type(),       device.name,     device.driver_version};
   ContentHash hash;
   const std::string text = key.dump();
   hash.add(std::as_bytes(std::span(text)));
@@ -99,8 +101,9 @@ class Block {
     line["settings"].update(session.settings().to_json({}));  // with what the scene decided about camera and lights
     line["status"] = "ok";
     line["reason"] = "";
-    json& about = line["bench"] = {{"suite", options_.suite.name}, {"run", run.run->name}, {"key", key_of(run, device_.info())},
-                                   {"scale", options_.scale},      {"quick", options_.quick}, {"counters", run.run->counters}};
+    json& about =
+        line["bench"] = {{"suite", options_.suite.name}, {"run", run.run->name},    {"key", key_of(run, device_.info())},
+                         {"scale", options_.scale},      {"quick", options_.quick}, {"counters", run.run->counters}};
     about["side_by_side"] = json::array();
     for (const size_t member : members) about["side_by_side"].push_back(runs[member].run->name);
     if (run.run->plot) about["plot"] = plot_json(*run.run->plot);
@@ -127,12 +130,14 @@ class Block {
       const uint64_t before = device_.allocated_bytes() - context.shared_bytes();
       context.forget_shared_use();
       for (size_t light = 0; light < session.frame().lights().size(); ++light) {
-        entry.techniques.push_back(run.spec ? run.spec->make(context, run.values) : make_bench_kernel(device_, run.run->kernel, run.texels));
+        entry.techniques.push_back(run.spec ? run.spec->make(context, run.values)
+                                            : make_bench_kernel(device_, run.run->kernel, run.texels));
       }
       entry.line["memory_bytes"] = device_.allocated_bytes() - context.shared_bytes() - before + context.shared_bytes_used();
       const std::span<const std::unique_ptr<Technique>> techniques = entry.techniques;
-      entry.timer = std::make_unique<FrameTimer>(device_, timing_options(run.settings),
-                                                 [&session, techniques](Recorder& recorder) { session.record_frame(recorder, techniques); });
+      entry.timer = std::make_unique<FrameTimer>(
+          device_, timing_options(run.settings),
+          [&session, techniques](Recorder& recorder) { session.record_frame(recorder, techniques); });
       entry.timer->warm_up();  // what the device cannot do shows here
     } catch (const Error& error) {
       if (error.code() != ExitCode::device) throw;
@@ -176,7 +181,8 @@ class Block {
     // The frame's masks are those of the run that drew last: draw once more.
     entry.timer->warm_up();
     ContentHash hash;
-    for (size_t light = 0; light < entry.session->frame().lights().size(); ++light) hash.add_values(entry.session->frame().read_mask(light));
+    for (size_t light = 0; light < entry.session->frame().lights().size(); ++light)
+      hash.add_values(entry.session->frame().read_mask(light));
     line["bench"]["mask_hash"] = hash.hex();
   }
 
@@ -207,7 +213,8 @@ std::map<std::string, json> earlier_lines(const std::filesystem::path& folder) {
 }
 
 // The lines of a block that an earlier run measured, side by side; empty where it has not all of them.
-std::vector<json> kept_block(std::map<std::string, json>& earlier, const Device& device, const std::vector<BenchRun>& runs, const std::vector<size_t>& members) {
+std::vector<json> kept_block(std::map<std::string, json>& earlier, const Device& device, const std::vector<BenchRun>& runs,
+                             const std::vector<size_t>& members) {
   std::vector<json> lines;
   for (const size_t member : members) {
     const auto found = earlier.find(key_of(runs[member], device.info()) + runs[member].run->name);
@@ -230,11 +237,13 @@ void add_rows(const Suite& suite, std::vector<json>& block) {
   }
 }
 
-void measure_all(Device& device, const BenchOptions& options, const std::vector<BenchRun>& runs, std::map<std::string, json>& earlier, ResultFolder& folder) {
+void measure_all(Device& device, const BenchOptions& options, const std::vector<BenchRun>& runs,
+                 std::map<std::string, json>& earlier, ResultFolder& folder) {
   const auto blocks = side_by_side(options.suite);
   for (size_t i = 0; i < blocks.size(); ++i) {
     check_interrupted();
-    const std::string what = fmt::format("{}: block {} of {}, {} run{}", options.suite.name, i + 1, blocks.size(), blocks[i].size(), blocks[i].size() == 1 ? "" : "s");
+    const std::string what = fmt::format("{}: block {} of {}, {} run{}", options.suite.name, i + 1, blocks.size(),
+                                         blocks[i].size(), blocks[i].size() == 1 ? "" : "s");
     std::vector<json> block = kept_block(earlier, device, runs, blocks[i]);
     if (block.empty()) {
       log_info("{}", what);
@@ -256,15 +265,16 @@ std::unique_ptr<ResultFolder> bench(Device& device, const BenchOptions& options)
   ensure_layering_measured(device);
   auto earlier = options.resume ? earlier_lines(options.output) : std::map<std::string, json>();
   if (!options.resume) {
-    if (const auto run = unfinished_run(options.output)) log_warning("{}: the unfinished run is dropped; --resume would continue it", run->folder.string());
+    if (const auto run = unfinished_run(options.output))
+      log_warning("{}: the unfinished run is dropped; --resume would continue it", run->folder.string());
   }
   auto folder = std::make_unique<ResultFolder>(options.output, options.resume);
   const InterruptScope scope;
   try {
     measure_all(device, options, runs, earlier, *folder);
   } catch (const Interrupted&) {
-    throw Error(fmt::format("interrupted: {} of {} runs are kept in {}; the same command with --resume measures the rest", folder->lines().size(), runs.size(),
-                            folder->unfinished().string()),
+    throw Error(fmt::format("interrupted: {} of {} runs are kept in {}; the same command with --resume measures the rest",
+                            folder->lines().size(), runs.size(), folder->unfinished().string()),
                 ExitCode::interrupted);
   }
   folder->complete();

@@ -18,15 +18,16 @@ class CopyKernel : public Technique {
   }
   void set(const SettingsMap&) override {}
   void record(Recorder& recorder, const Frame&, size_t) override {
-    recorder.pass("kernel/copy", PassStage::build, {{from_, Use::compute_read}, {to_, Use::compute_write}}, [&](Commands& commands) {
-      struct Arguments {
-        uint64_t from, to;
-        uint32_t side, unused;
-      };
-      commands.bind(pipeline_);
-      commands.push(Arguments{from_.address(), to_.address(), side_, 0});
-      commands.dispatch(uvec2(side_), {64, 4});
-    });
+    recorder.pass("kernel/copy", PassStage::build, {{from_, Use::compute_read}, {to_, Use::compute_write}},
+                  [&](Commands& commands) {
+                    struct Arguments {
+                      uint64_t from, to;
+                      uint32_t side, unused;
+                    };
+                    commands.bind(pipeline_);
+                    commands.push(Arguments{from_.address(), to_.address(), side_, 0});
+                    commands.dispatch(uvec2(side_), {64, 4});
+                  });
   }
 
  private:

@@ -8,8 +8,8 @@
 
 namespace gnomon {
 
-// "copy": texels x texels of depth read and twice as much written; "surface_read": depth and normal of every sample read, its mask
-// written. Passes "kernel/copy" (build) and "kernel/surface_read" (resolve).
+// "copy": texels x texels of depth read and twice as much written; "surface_read": depth and normal of every sample read, its
+// mask written. Passes "kernel/copy" (build) and "kernel/surface_read" (resolve).
 std::unique_ptr<Technique> make_bench_kernel(Device& device, const std::string& kernel, uint32_t texels);
 
 }  // namespace gnomon

@@ -22,7 +22,8 @@ uint32_t scaled(uint32_t side, double scale, uint32_t least) {
 const BuiltinOption* scene_option(const std::string& scene, const std::string& option) {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     if (builtin.name != scene) continue;
-    const auto found = std::find_if(builtin.options.begin(), builtin.options.end(), [&](const BuiltinOption& item) { return item.name == option; });
+    const auto found = std::find_if(builtin.options.begin(), builtin.options.end(),
+                                    [&](const BuiltinOption& item) { return item.name == option; });
     if (found != builtin.options.end()) return &*found;
   }
   return nullptr;
@@ -36,7 +37,8 @@ Preset applicable(const Preset& preset, const std::string& scene, const Techniqu
     const std::string id = setting.first.substr(0, dot);
     if (id == "scene") return scene_option(scene, setting.first.substr(dot + 1)) == nullptr;
     if (!Settings::is_technique_part(id)) return false;
-    return !spec || std::none_of(spec->tables.begin(), spec->tables.end(), [&](const auto& table) { return table.first == id; });
+    return !spec ||
+           std::none_of(spec->tables.begin(), spec->tables.end(), [&](const auto& table) { return table.first == id; });
   });
   return result;
 }

@@ -16,8 +16,8 @@ struct BenchRun {
   SettingsMap values;                   // of the technique, scaled
   uint32_t texels = 0;                  // of the kernel "copy", scaled
 
-  std::string technique() const;      // "cascaded/vsm", "kernel/copy"
-  std::string view_key() const;       // runs with equal keys share a session
+  std::string technique() const;  // "cascaded/vsm", "kernel/copy"
+  std::string view_key() const;   // runs with equal keys share a session
   nlohmann::json all_settings() const;
 };
 

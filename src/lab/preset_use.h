@@ -15,7 +15,8 @@ void assign_preset(Settings& settings, const Preset& preset);
 // Writes scene, size, samples, camera and lights where the preset has them.
 void apply_view(const Preset& preset, ViewOptions& view);
 
-// Everything in force: all parameters of the techniques, of frame, reference and measure, and of light, camera and scene what was set.
+// Everything in force: all parameters of the techniques, of frame, reference and measure, and of light, camera and scene what
+// was set.
 Preset effective_preset(const ViewOptions& view, const std::vector<std::string>& techniques, const Settings& settings);
 
 }  // namespace gnomon

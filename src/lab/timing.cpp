@@ -20,7 +20,8 @@ struct Series {
 
 void add_passes(Series& series, const FrameResult& frame, bool wall) {
   series.passes.resize(frame.passes.size());
-  for (size_t i = 0; i < frame.passes.size(); ++i) series.passes[i].push_back(wall ? frame.passes[i].wall_ms : frame.passes[i].gpu_ms);
+  for (size_t i = 0; i < frame.passes.size(); ++i)
+    series.passes[i].push_back(wall ? frame.passes[i].wall_ms : frame.passes[i].gpu_ms);
 }
 
 FrameResult draw(Recorder& recorder, const std::function<void(Recorder&)>& record) {
@@ -75,7 +76,8 @@ Timing FrameTimer::timing() const {
   timing.record_ms = summarise(s.series.record);
   for (size_t i = 0; i < s.last.passes.size(); ++i) {
     const PassResult& pass = s.last.passes[i];
-    timing.passes.push_back({pass.name, pass.stage, summarise(s.series.passes[i]), pass.draws, pass.dispatches, pass.triangles});
+    timing.passes.push_back(
+        {pass.name, pass.stage, summarise(s.series.passes[i]), pass.draws, pass.dispatches, pass.triangles});
   }
   return timing;
 }

@@ -41,7 +41,8 @@ struct Timing {
 };
 
 // Times the frame that `record` records. On a software device passes are submitted alone and timed by the wall clock, because
-// its timestamps lie; whole frames alternate with those, in one submission. One frame at a time, so that several timers can take turns.
+// its timestamps lie; whole frames alternate with those, in one submission. One frame at a time, so that several timers can
+// take turns.
 class FrameTimer {
  public:
   FrameTimer(Device& device, const TimingOptions& options, std::function<void(Recorder&)> record);

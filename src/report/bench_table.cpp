@@ -46,7 +46,8 @@ std::string count(std::optional<double> value) { return value ? fmt::format("{:.
 
 std::string text_of(const json& line, const char* pointer) {
   std::string text = text_at(line, pointer);
-  std::replace_if(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
   return text;
 }
 
@@ -59,7 +60,8 @@ const json& list_at(const json& line, const char* pointer) {
 }
 
 std::string times(std::span<const json> lines) {
-  std::vector<Cells> rows = {{"run", "technique", "build ms", "resolve ms", "technique ms", "frame ms", "CPU ms", "draws", "triangles"}};
+  std::vector<Cells> rows = {
+      {"run", "technique", "build ms", "resolve ms", "technique ms", "frame ms", "CPU ms", "draws", "triangles"}};
   std::string reasons;
   for (const json& line : lines) {
     if (!is_bench(line)) continue;
@@ -74,8 +76,9 @@ std::string times(std::span<const json> lines) {
       draws += number_at(pass, "/draws").value_or(0.0), triangles += number_at(pass, "/triangles").value_or(0.0);
     }
     const auto cell = [&](const char* pointer) { return number(number_at(line, pointer)); };
-    rows.push_back({text_of(line, "/bench/run"), text_of(line, "/technique"), cell("/gpu_ms/build"), cell("/gpu_ms/resolve"), cell("/gpu_ms/total"),
-                    cell("/timing/frame_ms"), cell("/timing/record_ms"), count(draws), count(triangles)});
+    rows.push_back({text_of(line, "/bench/run"), text_of(line, "/technique"), cell("/gpu_ms/build"), cell("/gpu_ms/resolve"),
+                    cell("/gpu_ms/total"), cell("/timing/frame_ms"), cell("/timing/record_ms"), count(draws),
+                    count(triangles)});
   }
   return aligned(rows) + reasons;
 }
@@ -86,7 +89,8 @@ std::string counters(std::span<const json> lines) {
     if (!is_bench(line) || !line["bench"].value("counters", false)) continue;
     for (const json& pass : list_at(line, "/passes")) {
       if (text_at(pass, "/stage") != "build" || number_at(pass, "/draws").value_or(0.0) == 0.0) continue;
-      rows.push_back({text_of(line, "/bench/run"), text_of(pass, "/name"), count(number_at(pass, "/draws")), count(number_at(pass, "/triangles"))});
+      rows.push_back({text_of(line, "/bench/run"), text_of(pass, "/name"), count(number_at(pass, "/draws")),
+                      count(number_at(pass, "/triangles"))});
     }
   }
   return rows.size() == 1 ? "" : "\n" + aligned(rows);
@@ -115,7 +119,9 @@ std::vector<const json*> ordered_rows(std::span<const json> lines) {
   for (const json& line : lines) {
     for (const json& row : list_at(line, "/bench/rows")) rows.push_back(&row);
   }
-  std::stable_sort(rows.begin(), rows.end(), [](const json* a, const json* b) { return number_at(*a, "/index").value_or(0.0) < number_at(*b, "/index").value_or(0.0); });
+  std::stable_sort(rows.begin(), rows.end(), [](const json* a, const json* b) {
+    return number_at(*a, "/index").value_or(0.0) < number_at(*b, "/index").value_or(0.0);
+  });
   return rows;
 }
 
@@ -130,9 +136,11 @@ std::string suite_rows(std::span<const json> lines) {
     }
     // Counts keep all their digits.
     const bool is_count = text_at(row, "/unit").empty();
-    const auto measured = [&](const char* pointer) { return is_count ? count(number_at(row, pointer)) : number(number_at(row, pointer)); };
-    rows.push_back({text_of(row, "/name"), text_of(row, "/of"), measured("/numerator"), measured("/denominator"), number(number_at(row, "/value")),
-                    range(row), number(number_at(row, "/goal")), met(row), also(row)});
+    const auto measured = [&](const char* pointer) {
+      return is_count ? count(number_at(row, pointer)) : number(number_at(row, pointer));
+    };
+    rows.push_back({text_of(row, "/name"), text_of(row, "/of"), measured("/numerator"), measured("/denominator"),
+                    number(number_at(row, "/value")), range(row), number(number_at(row, "/goal")), met(row), also(row)});
   }
   return rows.size() == 1 ? "" : "\n" + aligned(rows);
 }

@@ -24,10 +24,11 @@ void expect_says(const std::string& text, std::initializer_list<const char*> par
 }
 
 TEST(Preset, reads_every_key) {
-  const Preset preset = parse_preset(R"({"description": "d", "source": "s", "scene": "terrain", "techniques": ["single/hard", "single/pcf"],
+  const Preset preset =
+      parse_preset(R"({"description": "d", "source": "s", "scene": "terrain", "techniques": ["single/hard", "single/pcf"],
     "lights": ["sun"], "camera": "0,1,2:3,4,5", "size": [640, 480], "samples": 4,
     "set": {"single.size": 2048, "cascaded.lambda": 0.5, "pcf.bilinear": false, "cascaded.split": "mixed"}})",
-                                     "mine.json");
+                   "mine.json");
   EXPECT_EQ(preset.name, "mine.json");
   EXPECT_EQ(preset.description, "d");
   EXPECT_EQ(preset.source, "s");
@@ -75,7 +76,8 @@ TEST(Preset, errors_name_file_key_and_valid_values) {
 }
 
 TEST(Preset, later_ones_win) {
-  Preset base = parse_preset(R"({"scene": "terrain", "technique": "single/hard", "size": [10, 20], "set": {"single.size": 64}})", "a");
+  Preset base =
+      parse_preset(R"({"scene": "terrain", "technique": "single/hard", "size": [10, 20], "set": {"single.size": 64}})", "a");
   overlay(base, parse_preset(R"({"technique": "single/pcf", "samples": 2, "set": {"single.size": 128, "pcf.size": 5}})", "b"));
   EXPECT_EQ(base.scene, "terrain");
   EXPECT_EQ(base.techniques, std::vector<std::string>{"single/pcf"});

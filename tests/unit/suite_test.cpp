@@ -13,7 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* k_suite = R"({"description": "d", "source": "s", "defaults": {"scene": "terrain", "set": {"single.size": 64}},
+constexpr const char* k_suite =
+    R"({"description": "d", "source": "s", "defaults": {"scene": "terrain", "set": {"single.size": 64}},
   "runs": [{"name": "a", "technique": "single/hard"}, {"name": "b", "technique": "single/pcf", "scene": "courtyard", "set": {"single.size": 128}},
            {"name": "c", "kernel": "copy", "texels": 256}, {"name": "d", "technique": "single/hard"}, {"name": "e", "technique": "single/hard"}],
   "rows": [{"name": "b over a", "of": "technique", "numerator": "b", "denominator": "a", "published": [1.5, 2], "goal": 1.2},

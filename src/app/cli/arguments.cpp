@@ -21,10 +21,13 @@ void ViewArguments::add_to(CLI::App& command) {
   command.add_option("--size", size, "width x height of the picture, e.g. 1280x720")->capture_default_str();
   command.add_option("--samples", samples, "samples per pixel: 1, 2, 4, 8 as the device offers")->capture_default_str();
   command.add_option("--camera", camera, "'frame', 'x,y,z:x,y,z' (eye and target), or name or number of a camera of the scene");
-  command.add_option("--light", lights, std::string("'sun', 'all', name or number of a light of the scene, or ") + k_light_text_help +
-                                           "; repeat for several (default: the scene's first sun, else all its lights)");
+  command.add_option("--light", lights,
+                     std::string("'sun', 'all', name or number of a light of the scene, or ") + k_light_text_help +
+                         "; repeat for several (default: the scene's first sun, else all its lights)");
   command.add_option("--set", assignments, "id.key=value, e.g. pcf.size=5 or light.elevation=30 (gnomon describe TECHNIQUE)");
-  command.add_option("--preset", preset_names, "settings from a JSON file or a built-in preset (gnomon list presets); later ones and other arguments win");
+  command.add_option(
+      "--preset", preset_names,
+      "settings from a JSON file or a built-in preset (gnomon list presets); later ones and other arguments win");
   command.add_option("--write-preset", written_preset, "also writes all settings in force as a preset");
 }
 
@@ -71,12 +74,17 @@ ViewOptions ViewArguments::view() const {
 Settings ViewArguments::settings(const std::vector<std::string>& techniques) const {
   Preset used = preset();
   const auto specs = techniques_named(techniques);
-  const bool other_techniques = techniques != used.techniques, other_scene = given("scene") && scene != used.scene.value_or(scene);
+  const bool other_techniques = techniques != used.techniques,
+             other_scene = given("scene") && scene != used.scene.value_or(scene);
   std::erase_if(used.set, [&](const auto& setting) {
     const std::string id = setting.first.substr(0, setting.first.find('.'));
-    const bool has_part = std::any_of(specs.begin(), specs.end(), [&](const TechniqueSpec* spec) { return spec->default_settings().contains(id); });
-    const bool is_useless = (other_techniques && Settings::is_technique_part(id) && !has_part) || (other_scene && id == "scene");
-    if (is_useless) log_info("preset {}: {} is left out: {}", used.name, setting.first, id == "scene" ? "another scene" : "no technique of this run has it");
+    const bool has_part = std::any_of(specs.begin(), specs.end(),
+                                      [&](const TechniqueSpec* spec) { return spec->default_settings().contains(id); });
+    const bool is_useless =
+        (other_techniques && Settings::is_technique_part(id) && !has_part) || (other_scene && id == "scene");
+    if (is_useless)
+      log_info("preset {}: {} is left out: {}", used.name, setting.first,
+               id == "scene" ? "another scene" : "no technique of this run has it");
     return is_useless;
   });
   Settings settings;

@@ -37,7 +37,8 @@ void check_scene(const std::string& name) {
     if (name.ends_with(extension)) return;
   }
   for (const Suite& suite : builtin_suites()) suites.push_back(suite.name);
-  fail_usage("'{}': valid suites: {}; scenes: {}; or the path of a suite (.json) or scene (.obj, .gltf, .glb)", name, fmt::join(suites, ", "), fmt::join(scenes, ", "));
+  fail_usage("'{}': valid suites: {}; scenes: {}; or the path of a suite (.json) or scene (.obj, .gltf, .glb)", name,
+             fmt::join(suites, ", "), fmt::join(scenes, ", "));
 }
 
 SuiteRun run_of(const std::string& name, const Preset& view, const std::string& technique) {
@@ -69,7 +70,8 @@ Suite suite_of(const Arguments& arguments) {
     if (!preset.scene) fail_usage("{}: has no scene; name one: gnomon bench SCENE --preset {}", name, name);
     std::vector<std::string> techniques = arguments.techniques.empty() ? preset.techniques : arguments.techniques;
     if (techniques.empty()) fail_usage("{}: has no technique; name one with --techniques", name);
-    for (const std::string& technique : techniques) suite.runs.push_back(run_of(techniques.size() == 1 ? preset.name : preset.name + " " + technique, preset, technique));
+    for (const std::string& technique : techniques)
+      suite.runs.push_back(run_of(techniques.size() == 1 ? preset.name : preset.name + " " + technique, preset, technique));
   }
   const bool is_chosen = !suite.runs.empty() || !arguments.techniques.empty();
   if (suite.runs.empty()) {
@@ -107,7 +109,9 @@ Preset override_of(const Arguments& arguments) {
 
 // What repeats this, but for --only and -o.
 std::string command_of(const Arguments& arguments) {
-  const auto quoted = [](const std::string& word) { return word.find_first_of(" '\"$;&|<>*?()") == word.npos ? word : "'" + word + "'"; };
+  const auto quoted = [](const std::string& word) {
+    return word.find_first_of(" '\"$;&|<>*?()") == word.npos ? word : "'" + word + "'";
+  };
   std::string command = "gnomon bench";
   if (!arguments.what.empty()) command += " " + quoted(arguments.what);
   for (const auto& name : arguments.preset_names) command += " --preset " + quoted(name);
@@ -128,7 +132,8 @@ void print_plan(const Suite& suite) {
     std::cout << "side by side:\n";
     for (const size_t i : block) {
       const SuiteRun& run = suite.runs[i];
-      std::cout << fmt::format("  {:<36} {} {}\n", run.name, run.view.scene.value_or(""), run.kernel.empty() ? run.view.techniques.front() : "kernel/" + run.kernel);
+      std::cout << fmt::format("  {:<36} {} {}\n", run.name, run.view.scene.value_or(""),
+                               run.kernel.empty() ? run.view.techniques.front() : "kernel/" + run.kernel);
     }
   }
   for (const SuiteRow& row : suite.rows) std::cout << fmt::format("row: {}\n", row.name);
@@ -137,9 +142,12 @@ void print_plan(const Suite& suite) {
 void run(const Arguments& arguments, const Globals& globals) {
   BenchOptions options;
   const auto suite = arguments.what.empty() ? std::nullopt : find_suite(arguments.what);
-  if (suite && !arguments.preset_names.empty()) fail_usage("--preset with the suite '{}': valid with a scene, or alone", arguments.what);
-  if (suite && !arguments.techniques.empty()) fail_usage("--techniques with the suite '{}': valid with a scene", arguments.what);
-  if (!suite && arguments.what.empty() && arguments.preset_names.empty()) fail_usage("suite or scene is required; suites: gnomon list suites");
+  if (suite && !arguments.preset_names.empty())
+    fail_usage("--preset with the suite '{}': valid with a scene, or alone", arguments.what);
+  if (suite && !arguments.techniques.empty())
+    fail_usage("--techniques with the suite '{}': valid with a scene", arguments.what);
+  if (!suite && arguments.what.empty() && arguments.preset_names.empty())
+    fail_usage("suite or scene is required; suites: gnomon list suites");
   if (!suite && !arguments.what.empty()) check_scene(arguments.what);
   options.suite = suite ? *suite : suite_of(arguments);
   keep_only(options.suite, arguments.only);
@@ -166,21 +174,30 @@ void run(const Arguments& arguments, const Globals& globals) {
 }  // namespace
 
 void add_bench(CLI::App& app, const Globals& globals) {
-  auto* command = app.add_subcommand("bench", "times of a suite or of a scene's techniques, side by side, beside published figures and goals");
+  auto* command = app.add_subcommand(
+      "bench", "times of a suite or of a scene's techniques, side by side, beside published figures and goals");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("suite", arguments->what, "built-in suite (gnomon list suites), .json file of one, or a scene");
   command->add_option("-o,--output", arguments->output, "folder for results.jsonl and report.html");
-  command->add_option("--techniques", arguments->techniques, "of a scene: names separated by commas; all where not given")->delimiter(',');
+  command->add_option("--techniques", arguments->techniques, "of a scene: names separated by commas; all where not given")
+      ->delimiter(',');
   command->add_option("--preset", arguments->preset_names, "a run for each; the first is what the others are compared with");
   command->add_option("--only", arguments->only, "rows or runs of the suite, by name; repeat for several");
-  command->add_flag("--quick", arguments->quick, "an eighth of the pictures' and maps' sides, small scenes, few frames: for trying, not for numbers");
-  command->add_option("--scale", arguments->scale, "of the sides of pictures and maps, for small devices")->check(CLI::Range(0.01, 1.0))->capture_default_str();
+  command->add_flag("--quick", arguments->quick,
+                    "an eighth of the pictures' and maps' sides, small scenes, few frames: for trying, not for numbers");
+  command->add_option("--scale", arguments->scale, "of the sides of pictures and maps, for small devices")
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str();
   command->add_option("--size", arguments->size, "width x height of all pictures, before --scale");
-  command->add_option("--samples", arguments->samples, "samples per pixel of all runs, or the most that the device offers below")->check(CLI::Range(1, 64));
+  command
+      ->add_option("--samples", arguments->samples, "samples per pixel of all runs, or the most that the device offers below")
+      ->check(CLI::Range(1, 64));
   command->add_option("--camera", arguments->camera, "of all runs");
   command->add_option("--light", arguments->lights, "of all runs; repeat for several");
-  command->add_option("--set", arguments->assignments, "id.key=value for all runs that have the part, e.g. measure.frames=1000");
-  command->add_flag("--resume", arguments->resume, "keeps runs that the output folder has, finished or not, with the same settings and commit");
+  command->add_option("--set", arguments->assignments,
+                      "id.key=value for all runs that have the part, e.g. measure.frames=1000");
+  command->add_flag("--resume", arguments->resume,
+                    "keeps runs that the output folder has, finished or not, with the same settings and commit");
   command->add_flag("--dry-run", arguments->dry_run, "checks the suite and prints what would be run");
   command->callback([arguments, &globals] { run(*arguments, globals); });
 }

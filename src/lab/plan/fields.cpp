@@ -7,10 +7,12 @@
 
 namespace gnomon {
 
-Fields::Fields(const nlohmann::json& object, std::string where, std::initializer_list<std::string_view> keys) : object_(object), where_(std::move(where)) {
+Fields::Fields(const nlohmann::json& object, std::string where, std::initializer_list<std::string_view> keys)
+    : object_(object), where_(std::move(where)) {
   if (!object.is_object()) fail_usage("{}: not an object; valid keys: {}", where_, fmt::join(keys, ", "));
   for (const auto& [key, value] : object.items()) {
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) fail_usage("{}: unknown key '{}'; valid: {}", where_, key, fmt::join(keys, ", "));
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      fail_usage("{}: unknown key '{}'; valid: {}", where_, key, fmt::join(keys, ", "));
   }
 }
 
@@ -46,7 +48,8 @@ std::vector<std::string> Fields::texts(const char* key) const {
   if (!has(key)) return {};
   if (at(key).is_string()) return {at(key).get<std::string>()};
   const auto is_text = [](const nlohmann::json& item) { return item.is_string(); };
-  if (!at(key).is_array() || at(key).empty() || !std::all_of(at(key).begin(), at(key).end(), is_text)) fail_value(key, "a list of strings");
+  if (!at(key).is_array() || at(key).empty() || !std::all_of(at(key).begin(), at(key).end(), is_text))
+    fail_value(key, "a list of strings");
   return at(key).get<std::vector<std::string>>();
 }
 

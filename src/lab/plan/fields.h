@@ -12,7 +12,8 @@ namespace gnomon {
 
 class Fields {
  public:
-  // where: "presets/mine.json" or "presets/mine.json: runs[3]". Throws Error (usage) for anything but an object with these keys.
+  // where: "presets/mine.json" or "presets/mine.json: runs[3]". Throws Error (usage) for anything but an object with these
+  // keys.
   Fields(const nlohmann::json& object, std::string where, std::initializer_list<std::string_view> keys);
 
   bool has(const char* key) const { return object_.contains(key); }

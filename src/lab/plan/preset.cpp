@@ -22,7 +22,9 @@ using nlohmann::json;
 
 uvec2 read_size(const Fields& fields) {
   const json& value = fields.at("size");
-  const auto is_side = [](const json& side) { return side.is_number_integer() && side.get<int64_t>() >= 1 && side.get<int64_t>() <= 16384; };
+  const auto is_side = [](const json& side) {
+    return side.is_number_integer() && side.get<int64_t>() >= 1 && side.get<int64_t>() <= 16384;
+  };
   if (!value.is_array() || value.size() != 2 || !is_side(value[0]) || !is_side(value[1])) {
     fields.fail_value("size", "[width, height], each from 1 to 16384");
   }
@@ -32,13 +34,15 @@ uvec2 read_size(const Fields& fields) {
 SampleCount read_samples(const Fields& fields) {
   const json& value = fields.at("samples");
   constexpr const char* k_valid = "a number from 1 to 64, or \"up to N\"";
-  if (value.is_number_integer() && value.get<int64_t>() >= 1 && value.get<int64_t>() <= 64) return {value.get<uint32_t>(), false};
+  if (value.is_number_integer() && value.get<int64_t>() >= 1 && value.get<int64_t>() <= 64)
+    return {value.get<uint32_t>(), false};
   constexpr std::string_view k_up_to = "up to ";
   if (!value.is_string() || !value.get_ref<const std::string&>().starts_with(k_up_to)) fields.fail_value("samples", k_valid);
   const std::string text = value.get<std::string>().substr(k_up_to.size());
   SampleCount samples = {0, true};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), samples.count);
-  if (error != std::errc() || end != text.data() + text.size() || samples.count < 1 || samples.count > 64) fields.fail_value("samples", k_valid);
+  if (error != std::errc() || end != text.data() + text.size() || samples.count < 1 || samples.count > 64)
+    fields.fail_value("samples", k_valid);
   return samples;
 }
 
@@ -48,7 +52,8 @@ std::vector<std::pair<std::string, std::string>> read_set(const Fields& fields) 
   std::vector<std::pair<std::string, std::string>> set;
   for (const auto& [key, value] : object.items()) {
     const size_t dot = key.find('.');
-    if (dot == key.npos || dot == 0 || dot + 1 == key.size()) fail_usage("{}: 'set' has the key '{}'; valid: id.key, such as cascaded.size", fields.where(), key);
+    if (dot == key.npos || dot == 0 || dot + 1 == key.size())
+      fail_usage("{}: 'set' has the key '{}'; valid: id.key, such as cascaded.size", fields.where(), key);
     if (!value.is_number() && !value.is_boolean() && !value.is_string()) {
       fail_usage("{}: 'set': '{}' is {}; valid: a number, true, false, or a choice's name", fields.where(), key, value.dump());
     }
@@ -66,15 +71,17 @@ json value_of(const std::string& text) {
 }  // namespace
 
 Preset read_preset(const json& object, const std::string& name) {
-  const Fields fields(object, name,
-                      {"description", "source", "scene", "technique", "techniques", "lights", "camera", "size", "samples", "set"});
+  const Fields fields(
+      object, name,
+      {"description", "source", "scene", "technique", "techniques", "lights", "camera", "size", "samples", "set"});
   Preset preset;
   preset.name = name;
   preset.description = fields.text("description").value_or("");
   preset.source = fields.text("source").value_or("");
   preset.scene = fields.text("scene");
   preset.camera = fields.text("camera");
-  if (fields.has("technique") && fields.has("techniques")) fail_usage("{}: has both 'technique' and 'techniques'; valid: one of them", name);
+  if (fields.has("technique") && fields.has("techniques"))
+    fail_usage("{}: has both 'technique' and 'techniques'; valid: one of them", name);
   preset.techniques = fields.texts(fields.has("technique") ? "technique" : "techniques");
   preset.lights = fields.texts("lights");
   if (fields.has("size")) preset.size = read_size(fields);

@@ -14,7 +14,7 @@ struct Simple {
   std::string_view name;
   const char* pointer;
 };
-constexpr Simple k_simple[] = {{"frame", "/timing/frame_ms"},  {"technique", "/gpu_ms/total"},   {"build", "/gpu_ms/build"},
+constexpr Simple k_simple[] = {{"frame", "/timing/frame_ms"},  {"technique", "/gpu_ms/total"},  {"build", "/gpu_ms/build"},
                                {"resolve", "/gpu_ms/resolve"}, {"record", "/timing/record_ms"}, {"memory", "/memory_bytes"}};
 
 struct OfPasses {
@@ -33,13 +33,15 @@ std::optional<double> sum_of_passes(const json& line, std::string_view text, con
   if (!line.contains("passes")) return std::nullopt;
   std::optional<double> sum;
   for (const json& pass : line["passes"]) {
-    if (pass["name"].get_ref<const std::string&>().find(text) != std::string::npos) sum = sum.value_or(0.0) + pass[key].get<double>();
+    if (pass["name"].get_ref<const std::string&>().find(text) != std::string::npos)
+      sum = sum.value_or(0.0) + pass[key].get<double>();
   }
   return sum;
 }
 
 const json* line_of(const std::vector<json>& lines, const std::string& run) {
-  const auto found = std::find_if(lines.begin(), lines.end(), [&](const json& line) { return line.at("bench").at("run") == run; });
+  const auto found =
+      std::find_if(lines.begin(), lines.end(), [&](const json& line) { return line.at("bench").at("run") == run; });
   return found == lines.end() ? nullptr : &*found;
 }
 

@@ -56,16 +56,19 @@ SuiteRun read_run(const json& object, const Preset& defaults, const std::string&
   overlay(run.view, read_preset(of_preset, where));
   run.view.name = where;
   run.kernel = fields.text("kernel").value_or("");
-  if (!run.kernel.empty() && run.kernel != "copy" && run.kernel != "surface_read") fields.fail_value("kernel", "copy, surface_read");
+  if (!run.kernel.empty() && run.kernel != "copy" && run.kernel != "surface_read")
+    fields.fail_value("kernel", "copy, surface_read");
   const double texels = fields.number("texels").value_or(run.kernel == "copy" ? 2048.0 : 0.0);
-  if (fields.has("texels") && (run.kernel != "copy" || texels < 16.0 || texels > 16384.0 || texels != static_cast<uint32_t>(texels))) {
+  if (fields.has("texels") &&
+      (run.kernel != "copy" || texels < 16.0 || texels > 16384.0 || texels != static_cast<uint32_t>(texels))) {
     fields.fail_value("texels", "a whole number from 16 to 16384, with the kernel copy");
   }
   run.texels = static_cast<uint32_t>(texels);
   run.counters = fields.flag("counters");
   if (fields.has("plot")) run.plot = read_plot(fields.at("plot"), where + ".plot");
   if (!run.view.scene) fail_usage("{}: no key 'scene'; it is needed here or in 'defaults'", where);
-  if (run.kernel.empty() && run.view.techniques.size() != 1) fail_usage("{}: has {} techniques; valid: one, or a 'kernel'", where, run.view.techniques.size());
+  if (run.kernel.empty() && run.view.techniques.size() != 1)
+    fail_usage("{}: has {} techniques; valid: one, or a 'kernel'", where, run.view.techniques.size());
   return run;
 }
 
@@ -79,7 +82,9 @@ std::pair<double, double> read_published(const Fields& fields) {
 }
 
 SuiteRow read_row(const json& object, const std::string& where) {
-  const Fields fields(object, where, {"name", "source", "of", "denominator_of", "numerator", "denominator", "run", "masks", "published", "goal"});
+  const Fields fields(
+      object, where,
+      {"name", "source", "of", "denominator_of", "numerator", "denominator", "run", "masks", "published", "goal"});
   SuiteRow row;
   row.name = fields.required_text("name");
   row.source = fields.text("source").value_or("");
@@ -177,13 +182,16 @@ void keep_only(Suite& suite, const std::vector<std::string>& names) {
   if (names.empty()) return;
   const auto named = [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
   for (const std::string& name : names) {
-    const bool is_row = std::any_of(suite.rows.begin(), suite.rows.end(), [&](const SuiteRow& row) { return row.name == name; });
-    if (!is_row && !suite.find(name)) fail_usage("--only '{}': valid rows: {}; valid runs: {}", name, names_of(suite.rows), names_of(suite.runs));
+    const bool is_row =
+        std::any_of(suite.rows.begin(), suite.rows.end(), [&](const SuiteRow& row) { return row.name == name; });
+    if (!is_row && !suite.find(name))
+      fail_usage("--only '{}': valid rows: {}; valid runs: {}", name, names_of(suite.rows), names_of(suite.runs));
   }
   std::erase_if(suite.rows, [&](const SuiteRow& row) { return !named(row.name); });
   std::erase_if(suite.runs, [&](const SuiteRun& run) {
-    const bool in_row = std::any_of(suite.rows.begin(), suite.rows.end(),
-                                    [&](const SuiteRow& row) { return std::find(row.runs.begin(), row.runs.end(), run.name) != row.runs.end(); });
+    const bool in_row = std::any_of(suite.rows.begin(), suite.rows.end(), [&](const SuiteRow& row) {
+      return std::find(row.runs.begin(), row.runs.end(), run.name) != row.runs.end();
+    });
     return !in_row && !named(run.name);
   });
 }

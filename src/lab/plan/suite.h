@@ -1,5 +1,5 @@
-// Suites of benchmarks as data: runs, and what is said about them (ratios, figures, masks that must be equal). One JSON file each
-// (src/lab/suites/*.json, or a user's own): docs/measuring.md, "Suites".
+// Suites of benchmarks as data: runs, and what is said about them (ratios, figures, masks that must be equal). One JSON file
+// each (src/lab/suites/*.json, or a user's own): docs/measuring.md, "Suites".
 #pragma once
 
 #include <optional>
@@ -20,9 +20,9 @@ struct PlotPoint {
 
 struct SuiteRun {
   std::string name;
-  Preset view;          // scene, technique, settings; defaults and presets are already in it
-  std::string kernel;   // instead of a technique: "copy" or "surface_read" (lab/bench_kernels.h)
-  uint32_t texels = 0;  // side of what "copy" copies
+  Preset view;            // scene, technique, settings; defaults and presets are already in it
+  std::string kernel;     // instead of a technique: "copy" or "surface_read" (lab/bench_kernels.h)
+  uint32_t texels = 0;    // side of what "copy" copies
   bool counters = false;  // the table shows its draws and triangles pass by pass
   std::optional<PlotPoint> plot;
 };
@@ -32,8 +32,8 @@ struct SuiteRow {
   enum class Kind { ratio, figure, masks };
   Kind kind = Kind::ratio;
   std::string name, source;
-  std::string of, denominator_of;  // quantities (lab/plan/quantity.h)
-  std::vector<std::string> runs;   // ratio: numerator, denominator; figure: one
+  std::string of, denominator_of;                      // quantities (lab/plan/quantity.h)
+  std::vector<std::string> runs;                       // ratio: numerator, denominator; figure: one
   std::optional<std::pair<double, double>> published;  // range
   std::optional<double> goal;                          // at most
 };
