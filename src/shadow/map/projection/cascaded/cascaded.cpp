@@ -5,6 +5,7 @@
 
 #include "shadow/map/light_views.h"
 #include "shadow/map/splits.h"
+#include "shadow/map/warp.h"
 #include "shadow/registry.h"
 
 namespace gnomon {
@@ -59,7 +60,8 @@ class Cascaded : public Projection {
     const Splits splits = find_splits(frame, count);
     std::vector<ShadowView> views;
     for (uint32_t i = 0; i < count; ++i) {
-      ShadowView view = params_.fit == fit_sphere ? sphere_view(frame, light_frame, bounds, splits[i], splits[i + 1])
+      ShadowView view = params_.warp != warp_none ? warped_slice(frame, light, splits[i], splits[i + 1])
+                        : params_.fit == fit_sphere ? sphere_view(frame, light_frame, bounds, splits[i], splits[i + 1])
                                                   : box_view(frame, light, light_frame, bounds, splits[i], splits[i + 1]);
       view.interval_m = vec2(i == 0 ? 0.0f : splits[i], splits[i + 1]);
       view.border = params_.border;
@@ -127,7 +129,7 @@ class Cascaded : public Projection {
     }
   }
 
-  bool nested() const { return params_.nested && params_.selection == selection_map; }
+  bool nested() const { return params_.nested && params_.selection == selection_map && params_.warp == warp_none; }
 
   // A depth range that the depth clamp shortens at its near end.
   std::pair<float, float> depths(const Bounds& bounds, float slice_near, float slice_far) const {
@@ -154,6 +156,13 @@ class Cascaded : public Projection {
     fit.min = centre - vec3(half), fit.max = centre + vec3(half);
     const auto [near, far] = depths(bounds, centre.z - half, centre.z + half);
     return orthographic_view(light_frame, fit, near, far, map_size());
+  }
+
+  // A slice's ends differ little in distance: the formula holds without a guard, and the trapezoid's focus needs less than 80 %.
+  ShadowView warped_slice(const Frame& frame, const Light& light, float from, float to) const {
+    const WarpFit fit = warp_fit(frame.camera(), light, frame.scene().caster_bounds(), frame.scene().bounds(), from, to);
+    const bool perspective = params_.warp == warp_light_space_perspective;
+    return warped_view(fit, perspective ? light_space_perspective_distance(fit, 0.0f, 1.0f) : trapezoidal_distance(fit, 0.5f, 0.6f), map_size(), params_.border);
   }
 
   ShadowView box_view(const Frame& frame, const Light& light, const LightFrame& light_frame, const Bounds& bounds, float from, float to) const {

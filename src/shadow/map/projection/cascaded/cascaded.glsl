@@ -1,7 +1,8 @@
 // The cascade of a point, and the next one where they blend.
 
 bool inside_layer(ShadowView view, vec3 position_ws, out float to_edge) {
-  vec3 ndc = (view.raster.clip_from_world * vec4(position_ws, 1.0)).xyz;
+  vec4 clip = view.raster.clip_from_world * vec4(position_ws, 1.0);
+  vec3 ndc = clip.xyz / max(clip.w, 1e-6);  // warped maps: behind the apex lies outside
   float edge = 1.0 - 2.0 * view.border / view.size;
   to_edge = (edge - max(abs(ndc.x), abs(ndc.y))) / max(edge, 1e-3);
   return to_edge >= 0.0 && ndc.z <= 1.0;
