@@ -51,10 +51,20 @@ class Frames(Case):
 
 class LightText(Case):
     def test_a_sun_by_its_angles(self):
-        self.run_gnomon("render", "courtyard", "-o", self.folder / "a.png", *QUICK, *HARD, "--light", "sun:200,40")
-        self.run_gnomon("render", "courtyard", "-o", self.folder / "b.png", *QUICK, *HARD, "--light", "sun", "--set",
-                        "light.azimuth=200", "--set", "light.elevation=40")
-        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        # A scene without lights: `--light sun` is then the sun of the settings.
+        scene = self.folder / "floor.obj"
+        scene.write_text("v -2 0 2\nv 2 0 2\nv 2 0 -2\nv -2 0 -2\nf 1 2 3 4\nv -1 1 1\nv 1 1 1\nv 0 1 -1\nf 5 6 7\n", encoding="utf-8")
+        pictures = {}
+        for name, arguments in {
+            "text": ["--light", "sun:200,40"],
+            "settings": ["--light", "sun", "--set", "light.azimuth=200", "--set", "light.elevation=40"],
+            "other": ["--light", "sun:20,40"],
+        }.items():
+            path = self.folder / f"{name}.png"
+            self.run_gnomon("render", scene, "-o", path, *QUICK, *HARD, *arguments)
+            pictures[name] = path.read_bytes()
+        self.assertEqual(pictures["text"], pictures["settings"])
+        self.assertNotEqual(pictures["text"], pictures["other"])
 
     def test_misuse_names_what_is_valid(self):
         for text, says in {
