@@ -115,7 +115,7 @@ Flips flips_along_a_walk(bool stabilise) {
     if (point.object != k_no_object && points.size() < 20000) points.push_back(point.position_ws);
   }
   const auto& info = projection_named("cascaded");
-  const auto projection = info.make(params_of(info, {{"size", 512}, {"stabilise", stabilise}, {"adapt", 0}}));
+  const auto projection = info.make(params_of(info, {{"size", 512}, {"stabilise", stabilise}, {"adapt", 0}, {"nested", 0}}));
   const Camera start = view.scene().cameras[0];
   Flips result;
   Map last;

@@ -94,7 +94,7 @@ float to_contact(const vec3& p) {
 
 // `reach`: how far from where caster and receiver touch light may be found. Walls without thickness touch what they shadow, and
 // a kernel on the outline of the room reaches beyond it: theory allows a few texels (of 3 mm) there.
-void expect_dark(View& scene, const std::vector<float>& found, float reach, double mean) {
+void expect_dark(View& scene, const std::vector<float>& found, float threshold, float reach, double mean) {
   const auto receiver = test::receivers(scene);
   const auto points = scene.frame().read_points();
   ASSERT_GT(test::count(receiver), receiver.size() / 4);
@@ -102,7 +102,7 @@ void expect_dark(View& scene, const std::vector<float>& found, float reach, doub
   double sum = 0.0;
   for (size_t i = 0; i < found.size(); ++i) {
     if (!receiver[i]) continue;
-    light += found[i] > 0.0f && to_contact(points[i].position_ws) >= reach;
+    light += found[i] > threshold && to_contact(points[i].position_ws) >= reach;
     sum += double(found[i]);
   }
   const auto n = static_cast<double>(test::count(receiver));
@@ -112,11 +112,13 @@ void expect_dark(View& scene, const std::vector<float>& found, float reach, doub
 
 TEST_P(EveryTechnique, ClosedRoomIsDark) {
   View& thick = view("thick room", [](LightKind kind) { return test::closed_room(kind, false); });
-  expect_dark(thick, mask(thick), 0.0f, 1e-6);
+  // An exponential of the gap between two depths never quite reaches 0.
+  const float threshold = bleeds() ? 0.02f : 0.0f;
+  expect_dark(thick, mask(thick), threshold, 0.0f, bleeds() ? 0.01 : 1e-6);
   View& thin = view("thin room", [](LightKind kind) { return test::closed_room(kind, true); });
   // A filter that bleeds says so by offering to reduce it: in this small picture its footprints are decimetres wide, and every outline
   // of the room is a contact.
-  expect_dark(thin, mask(thin), bleeds() ? 0.8f : 0.1f, bleeds() ? 0.15 : 0.02);
+  expect_dark(thin, mask(thin), threshold, bleeds() ? 0.8f : 0.1f, bleeds() ? 0.2 : 0.02);
 }
 
 TEST_P(EveryTechnique, SameInputsGiveTheSameBits) {

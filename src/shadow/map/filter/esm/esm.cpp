@@ -23,6 +23,7 @@ class Esm : public Filter {
  public:
   explicit Esm(const ParamBlock& params) { set(params); }
   void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
+  float reach() const override { return static_cast<float>(params_.blur) + (params_.mips ? 64.0f : 3.0f); }
   uint32_t depth_samples() const override { return 1u << params_.samples; }
   void prepare(Device& device, const MapInfo& info) override {
     map_ = MomentMap(device, info, {GNOMON_ID_TEXT, VK_FORMAT_R32_SFLOAT, 1, depth_samples(), params_.mips != 0, params_.space == space_log});

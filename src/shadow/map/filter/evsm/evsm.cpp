@@ -19,6 +19,7 @@ class Evsm : public Filter {
  public:
   explicit Evsm(const ParamBlock& params) { set(params); }
   void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
+  float reach() const override { return static_cast<float>(params_.blur) + (params_.mips ? 64.0f : 3.0f); }
   uint32_t depth_samples() const override { return 1u << params_.samples; }
   void prepare(Device& device, const MapInfo& info) override {
     constexpr VkFormat k_formats[2][2] = {{VK_FORMAT_R16G16_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT},

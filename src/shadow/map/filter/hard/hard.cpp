@@ -15,6 +15,7 @@ constexpr const char* k_manual =
 class Hard : public Filter {
  public:
   void set(const ParamBlock&) override {}
+  float reach() const override { return 1.0f; }
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ class ObjectId : public Filter {
  public:
   explicit ObjectId(const ParamBlock& params) { set(params); }
   void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
+  float reach() const override { return 0.5f * static_cast<float>(params_.size) + 1.0f; }
   bool object_ids() const override { return true; }
   bool item_ids() const override { return params_.parts == parts_item; }
 

@@ -1,6 +1,8 @@
 // Percentage-closer filtering (Reeves, Salesin and Cook 1987): the mean of many comparisons.
 // Cost: grid size^2 reads of 2x2 texels, optimised ((size + 1) / 2)^2, discs one for each tap. Fails: grey steps when taps are few, a
 // fixed blur where the true penumbra grows with distance, and a plane that the surface leaves within a wide kernel.
+#include <algorithm>
+
 #include "shadow/registry.h"
 
 namespace gnomon {
@@ -19,14 +21,19 @@ constexpr const char* k_manual =
 
 class Pcf : public Filter {
  public:
-  void set(const ParamBlock&) override {}
+  explicit Pcf(const ParamBlock& params) { set(params); }
+  void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
+  float reach() const override { return std::max(0.5f * static_cast<float>(params_.size), params_.radius) + 2.0f; }
+
+ private:
+  Params params_;
 };
 
 }  // namespace
 
 GNOMON_REGISTER(filter, Filter) {
   return {GNOMON_ID_TEXT, k_manual, param_table_storage(), [](const ProjectionInfo&) { return std::string(); },
-          [](const ParamBlock&) -> std::unique_ptr<Filter> { return std::make_unique<Pcf>(); }};
+          [](const ParamBlock& params) -> std::unique_ptr<Filter> { return std::make_unique<Pcf>(params); }};
 }
 
 }  // namespace gnomon

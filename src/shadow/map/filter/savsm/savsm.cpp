@@ -21,6 +21,7 @@ class Savsm : public Filter {
  public:
   explicit Savsm(const ParamBlock& params) { set(params); }
   void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
+  float reach() const override { return 0.5f * params_.width + 3.0f; }
   void prepare(Device& device, const MapInfo& info) override {
     name_ = info.name;
     ImageInfo table;
