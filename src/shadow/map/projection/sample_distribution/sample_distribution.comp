@@ -23,7 +23,8 @@ const uint k_group = 256u, k_per_thread = 8u;
 layout(local_size_x = 256) in;
 
 shared uint group_depths[2];
-shared uint group_boxes[k_max_layers * 5u];
+// One more than is used: as the type of the buffer's array it would carry that one's layout, which shared memory must not.
+shared uint group_boxes[k_max_layers * 5u + 1u];
 
 // Entries of a box: two minima, then three maxima.
 bool is_minimum(uint entry) { return entry % 5u < 2u; }
