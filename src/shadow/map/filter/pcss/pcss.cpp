@@ -14,10 +14,11 @@ constexpr const char* k_manual =
     "Soft shadows whose penumbra widens with the distance to the caster.\n"
     "Fernando 2005. Texels nearer to the light than the receiver are looked for over the disc from which a blocker could hide part of\n"
     "the light; their mean depth gives the penumbra's width by similar triangles from the light's real size (angular diameter of a\n"
-    "sun, radius of a lamp), and that many texels are filtered. pcss.cone leaves out texels that the search meets but that hide\n"
-    "nothing of the light, and pcss.rise keeps a wide filter from taking the receiver's own unevenness for a caster. A light without size gets a sharp filter of pcss.min_radius. One mean\n"
-    "stands for all blockers: overlapping penumbrae of casters at different heights are wrong. pcss.max_radius limits how far the taps\n"
-    "are spread; beyond it shadows are too sharp. Few taps over a wide disc give noise (pcss.rotate) or bands.";
+    "sun, radius of a lamp), and that many texels are filtered. Two refinements: pcss.cone leaves out texels that the search meets\n"
+    "but that hide nothing of the light, among them the receiver itself; pcss.rise keeps a wide filter from taking the receiver's own\n"
+    "unevenness for a caster. A light without size gets a sharp filter of pcss.min_radius. One mean stands for all blockers:\n"
+    "overlapping penumbrae of casters at different heights are wrong. pcss.max_radius limits how far the taps are spread; beyond it\n"
+    "shadows are too sharp. Few taps over a wide disc give noise (pcss.rotate) or bands.";
 
 class Pcss : public Filter {
  public:
