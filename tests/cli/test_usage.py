@@ -29,7 +29,7 @@ class Usage(Case):
             (["compare", "courtyard", "-o", out, "terrain"], "error: compare: 'terrain' is one argument too many"),
             (["compare", "courtyard"], "error: compare: --output is required"),
             (["render", "courtyard", "-o", "x.png", "--show", "cats"], "error: --show cats: valid: error, mask, reference, shaded"),
-            (["list", "cats"], "error: what cats: valid: techniques, scenes, metrics, devices"),
+            (["list", "cats"], "error: what cats: valid: techniques, scenes, presets, suites, metrics, devices"),
             (["compare", "courtyard", "-o", out, "--max-error", "2"], "error: --max-error 2: valid: 0 to 1"),
             (["compare", "courtyard", "-o", out, "--samples", "cats"], "error: --samples cats: valid: a whole number, 0 or more"),
             (["compare", "courtyard", "-o"], "error: --output: its value is missing"),

@@ -46,6 +46,7 @@ void add_render(CLI::App& app, const Globals& globals) {
     if (command->get_option("--technique")->count() == 0) options.techniques.emplace_back("cube/pcf");  // for point lights
     const Preset preset = arguments->view.preset();
     if (command->get_option("--technique")->count() == 0 && !preset.techniques.empty()) {
+      if (preset.techniques.size() > 1) fail_usage("preset {}: has {} techniques; choose with --technique", preset.name, preset.techniques.size());
       options.techniques = preset.techniques;
     }
     options.picture = arguments->picture;
