@@ -54,6 +54,10 @@ if [[ -z $output ]]; then
   output=$root/out/${name#-}
   arguments+=(-o "$output")
 fi
+# One of each kind, so that the first report is there in a minute or two; all: --techniques all.
+if [[ " ${arguments[*]} " != *" --techniques"* && " ${arguments[*]} " != *" --preset"* ]]; then
+  arguments+=(--techniques ray_traced,single/hard,single/pcf,single/vsm,cascaded/hard,cascaded/pcf,cascaded/pcss,sample_distribution/hard)
+fi
 "$gnomon" compare "$scene" "${arguments[@]}"
 echo
 echo "Report: $(realpath -- "$output/report.html")"
