@@ -3,17 +3,10 @@
 
 #include <algorithm>
 
-#include "gpu/recorder.h"
+#include "frame/upload_vector.h"
 
 namespace gnomon {
 namespace {
-
-template <class T>
-Buffer upload_vector(Device& device, const char* name, const std::vector<T>& values) {
-  Buffer buffer(device, name, std::max<size_t>(values.size() * sizeof(T), sizeof(T)));
-  upload(device, buffer, std::as_bytes(std::span(values)));
-  return buffer;
-}
 
 Box world_bounds(const DrawItem& item, std::span<const vec3> positions, std::span<const uint32_t> indices) {
   Box box;

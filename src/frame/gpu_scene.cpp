@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "frame/glsl/octahedral.glsl"
 #include "frame/texture_upload.h"
-#include "gpu/recorder.h"
+#include "frame/upload_vector.h"
 #include "scene/plane_extent.h"
 
 namespace gnomon {
@@ -25,13 +25,6 @@ VertexAttributes pack_vertex(const MeshPart& part, size_t i) {
   const vec4& tangent = part.tangents[i];
   const uint32_t handedness = tangent.w < 0.0f ? 1u : 0u;
   return {part.uvs[i], pack_normal(part.normals[i]), (pack_normal(vec3(tangent)) & ~1u) | handedness, pack_colour(part.colours[i])};
-}
-
-template <class T>
-Buffer upload_vector(Device& device, const char* name, const std::vector<T>& values, VkBufferUsageFlags usage = 0) {
-  Buffer buffer(device, name, std::max<size_t>(values.size() * sizeof(T), sizeof(T)), BufferMemory::device, usage);
-  upload(device, buffer, std::as_bytes(std::span(values)));
-  return buffer;
 }
 
 }  // namespace

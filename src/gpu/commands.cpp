@@ -1,5 +1,6 @@
 // What may be recorded inside a pass.
 #include "base/error.h"
+#include "gpu/memory_barrier.h"
 #include "gpu/recorder.h"
 
 namespace gnomon {
@@ -26,14 +27,8 @@ void Commands::dispatch(glm::uvec3 groups) {
 }
 
 void Commands::compute_barrier() {
-  VkMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-  barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-  barrier.srcAccessMask = VK_ACCESS_2_SHADER_WRITE_BIT;
-  barrier.dstAccessMask = VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT;
-  VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-  dependency.memoryBarrierCount = 1;
-  dependency.pMemoryBarriers = &barrier;
-  vkCmdPipelineBarrier2(commands_, &dependency);
+  memory_barrier(commands_, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                 VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT);
 }
 
 void Commands::dispatch_1d(uint32_t count, uint32_t group) { dispatch({count, 1}, {group, 1}); }

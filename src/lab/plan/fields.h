@@ -1,9 +1,11 @@
 // Reading a JSON object that people write: every error names file, place, key and what would be valid.
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,5 +38,14 @@ class Fields {
 
 // Throws Error (usage) with the line of what is not JSON.
 nlohmann::json parse_plan(std::string_view text, const std::string& where);
+
+// Plans that the build embedded as {name, text}, by name.
+template <class Parse>
+auto parse_embedded(std::span<const std::pair<std::string_view, std::string_view>> texts, const Parse& parse) {
+  std::vector<decltype(parse(std::string_view(), std::string()))> list;
+  for (const auto& [name, text] : texts) list.push_back(parse(text, std::string(name)));
+  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  return list;
+}
 
 }  // namespace gnomon

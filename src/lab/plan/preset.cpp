@@ -93,12 +93,7 @@ Preset read_preset(const json& object, const std::string& name) {
 Preset parse_preset(std::string_view text, const std::string& name) { return read_preset(parse_plan(text, name), name); }
 
 const std::vector<Preset>& builtin_presets() {
-  static const auto presets = [] {
-    std::vector<Preset> list;
-    for (const auto& [name, text] : embedded_presets()) list.push_back(parse_preset(text, std::string(name)));
-    std::sort(list.begin(), list.end(), [](const Preset& a, const Preset& b) { return a.name < b.name; });
-    return list;
-  }();
+  static const auto presets = parse_embedded(embedded_presets(), parse_preset);
   return presets;
 }
 

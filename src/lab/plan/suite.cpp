@@ -160,12 +160,7 @@ Suite parse_suite(std::string_view text, const std::string& name) {
 }
 
 const std::vector<Suite>& builtin_suites() {
-  static const auto suites = [] {
-    std::vector<Suite> list;
-    for (const auto& [name, text] : embedded_suites()) list.push_back(parse_suite(text, std::string(name)));
-    std::sort(list.begin(), list.end(), [](const Suite& a, const Suite& b) { return a.name < b.name; });
-    return list;
-  }();
+  static const auto suites = parse_embedded(embedded_suites(), parse_suite);
   return suites;
 }
 

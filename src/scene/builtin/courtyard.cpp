@@ -42,13 +42,7 @@ Scene make_courtyard(const BuiltinOptions&) {
         add_crate_and_plank, add_lantern, add_amphora, add_olive_tree, add_cypresses, add_potted_shrubs}) {
     add(scene, materials);
   }
-  Light sun;
-  sun.name = "sun";
-  sun.direction = glm::normalize(vec3(0.62f, -0.48f, 0.62f));
-  sun.colour = vec3(1.0f, 0.84f, 0.62f);
-  sun.intensity = 3.0f;
-  sun.angular_diameter = static_cast<float>(radians_of(0.533));
-  scene.lights.push_back(sun);
+  scene.lights.push_back(sun_light("sun", vec3(0.62f, -0.48f, 0.62f), vec3(1.0f, 0.84f, 0.62f), 3.0f));
   scene.cameras.push_back(look_at("default", {-4.6f, 1.65f, 8.8f}, {0.9f, 1.75f, -2.0f}, 50.0));
   scene.cameras.push_back(look_at("detail", {3.2f, 1.15f, 4.5f}, {5.75f, 0.5f, 1.3f}, 45.0));
   const std::vector<CameraPose> walk = {{{-4.6f, 1.65f, 8.8f}, {0.9f, 1.75f, -2.0f}}, {{-1.5f, 1.65f, 6.5f}, {1.5f, 1.5f, -1.0f}}, {{0.2f, 1.65f, 3.4f}, {5.7f, 1.2f, 0.0f}}, {{-1.2f, 1.65f, 1.2f}, {-5.5f, 1.8f, -0.5f}}};

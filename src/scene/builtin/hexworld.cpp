@@ -276,13 +276,7 @@ Scene make_hexworld(const BuiltinOptions& options) {
   world.add_columns(ground);
   add_plants(scene, world, options.at("detail"));
 
-  Light sun;
-  sun.name = "sun";
-  sun.direction = glm::normalize(vec3(-0.46f, -0.50f, -0.73f));
-  sun.colour = vec3(1.0f, 0.90f, 0.76f);
-  sun.intensity = 3.0f;
-  sun.angular_diameter = static_cast<float>(radians_of(0.533));
-  scene.lights.push_back(sun);
+  scene.lights.push_back(sun_light("sun", vec3(-0.46f, -0.50f, -0.73f), vec3(1.0f, 0.90f, 0.76f), 3.0f));
   const auto camera = [&](const char* name, const vec3& eye, const vec3& target, double fov, float far) {
     scene.cameras.push_back(look_at(name, eye, target, fov));
     scene.cameras.back().far = far;

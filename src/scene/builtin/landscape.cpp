@@ -151,13 +151,6 @@ void add_houses(Scene& scene, double detail) {
   }
 }
 
-Light sun(const std::string& name, const vec3& direction, const vec3& colour, float intensity) {
-  Light light;
-  light.name = name, light.direction = glm::normalize(direction), light.colour = colour, light.intensity = intensity;
-  light.angular_diameter = static_cast<float>(radians_of(0.533));
-  return light;
-}
-
 }  // namespace
 
 Scene make_landscape(const BuiltinOptions& options) {
@@ -168,9 +161,9 @@ Scene make_landscape(const BuiltinOptions& options) {
   add_houses(scene, detail);
   add_trees(scene, detail);
 
-  scene.lights.push_back(sun("sun", {0.66f, -0.60f, -0.45f}, {1.0f, 0.88f, 0.70f}, 3.0f));
-  scene.lights.push_back(sun("sun_blue", {-0.55f, -0.62f, -0.40f}, {0.45f, 0.62f, 1.0f}, 1.2f));
-  scene.lights.push_back(sun("sun_red", {0.25f, -0.24f, 0.90f}, {1.0f, 0.35f, 0.18f}, 0.9f));
+  scene.lights.push_back(sun_light("sun", {0.66f, -0.60f, -0.45f}, {1.0f, 0.88f, 0.70f}, 3.0f));
+  scene.lights.push_back(sun_light("sun_blue", {-0.55f, -0.62f, -0.40f}, {0.45f, 0.62f, 1.0f}, 1.2f));
+  scene.lights.push_back(sun_light("sun_red", {0.25f, -0.24f, 0.90f}, {1.0f, 0.35f, 0.18f}, 0.9f));
   Light beam;
   beam.name = "projector";
   beam.kind = LightKind::projector;

@@ -228,6 +228,13 @@ MeshPart part_of(int material) {
   return part;
 }
 
+Light sun_light(const std::string& name, const vec3& direction, const vec3& colour, float intensity) {
+  Light light;
+  light.name = name, light.direction = glm::normalize(direction), light.colour = colour, light.intensity = intensity;
+  light.angular_diameter = static_cast<float>(radians_of(0.533));
+  return light;
+}
+
 Camera look_at(const std::string& name, const vec3& eye, const vec3& target, double vertical_fov_degrees) {
   const vec3 back = glm::normalize(eye - target);
   const vec3 right = glm::normalize(glm::cross(vec3(0, 1, 0), back));

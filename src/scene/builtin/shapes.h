@@ -51,6 +51,8 @@ int add_mesh(Scene& scene, const std::string& name, std::vector<MeshPart> parts)
 void add_object(Scene& scene, const std::string& name, int mesh, const mat4& world_from_object = mat4(1.0f));
 // A part that has the material of that index.
 MeshPart part_of(int material);
+// A sun of the real angular diameter that shines along `direction` (any length).
+Light sun_light(const std::string& name, const vec3& direction, const vec3& colour, float intensity);
 Camera look_at(const std::string& name, const vec3& eye, const vec3& target, double vertical_fov_degrees);
 
 }  // namespace gnomon

@@ -85,13 +85,7 @@ Scene make_terrain(const BuiltinOptions& options) {
   add_box(plinth, {-1.25f, 1.75f, -1.25f}, {1.25f, 1.95f, 1.25f}, 0.5f);
   add_object(scene, "plinth", add_mesh(scene, "plinth", {plinth}));
 
-  Light sun;
-  sun.name = "sun";
-  sun.direction = glm::normalize(vec3(0.72f, -0.50f, -0.22f));
-  sun.colour = vec3(1.0f, 0.92f, 0.80f);
-  sun.intensity = 3.0f;
-  sun.angular_diameter = static_cast<float>(radians_of(0.533));
-  scene.lights.push_back(sun);
+  scene.lights.push_back(sun_light("sun", vec3(0.72f, -0.50f, -0.22f), vec3(1.0f, 0.92f, 0.80f), 3.0f));
   scene.cameras.push_back(look_at("default", {-2.5f, 4.2f, 17.0f}, {2.0f, 3.3f, 0.0f}, 45.0));
   const std::vector<CameraPose> walk = {{{-2.5f, 4.2f, 17.0f}, {2.0f, 3.3f, 0.0f}}, {{-9.0f, 4.0f, 11.5f}, {0.0f, 4.0f, 0.0f}}, {{-12.0f, 4.2f, 3.0f}, {0.0f, 4.5f, 0.0f}}, {{-9.0f, 4.0f, -5.0f}, {0.0f, 4.5f, 0.0f}}};
   const std::vector<CameraPose> fly = {{{0.0f, 20.0f, 34.0f}, {0.0f, 3.0f, 0.0f}}, {{-28.0f, 18.0f, 18.0f}, {0.0f, 3.0f, 0.0f}}, {{-30.0f, 16.0f, -14.0f}, {0.0f, 3.0f, 0.0f}}, {{2.0f, 20.0f, -30.0f}, {0.0f, 3.0f, 0.0f}}};

@@ -277,13 +277,7 @@ Scene make_town(const BuiltinOptions& options) {
   Scene scene;
   scene.name = "town";
   Town(scene, options.at("detail")).build();
-  Light sun;
-  sun.name = "sun";
-  sun.direction = glm::normalize(vec3(0.27f, -0.55f, -0.78f));
-  sun.colour = vec3(1.0f, 0.90f, 0.76f);
-  sun.intensity = 3.0f;
-  sun.angular_diameter = static_cast<float>(radians_of(0.533));
-  scene.lights.push_back(sun);
+  scene.lights.push_back(sun_light("sun", vec3(0.27f, -0.55f, -0.78f), vec3(1.0f, 0.90f, 0.76f), 3.0f));
   const auto camera = [&](const char* name, const vec3& eye, const vec3& target, double fov, float far) {
     scene.cameras.push_back(look_at(name, eye, target, fov));
     scene.cameras.back().near = 0.2f, scene.cameras.back().far = far;

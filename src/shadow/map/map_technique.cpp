@@ -93,7 +93,7 @@ bool MapTechnique::update_views(const Frame& frame, const Light& light) {
   map.layers = static_cast<uint32_t>(views.size());
   std::memcpy(bytes.data(), &map, sizeof map);
   std::memcpy(bytes.data() + sizeof map, views.data(), views.size() * sizeof(ShadowView));
-  // Layers that this frame does not need keep `active` at 0.
+  // Layers that this frame does not need keep `in_use` at 0.
   const bool same = std::memcmp(bytes.data() + sizeof map, view_bytes_.data() + sizeof map, bytes.size() - sizeof map) == 0;
   view_bytes_ = std::move(bytes);
   std::memcpy(views_.mapped(), view_bytes_.data(), view_bytes_.size());

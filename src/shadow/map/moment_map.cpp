@@ -14,12 +14,12 @@ struct ConvertArguments {
   float weights[MomentMap::k_max_radius + 1];  // from the middle outward
 };
 
-void fill_weights(uint32_t radius, BlurShape shape, float* weights) {
+void fill_weights(uint32_t radius, float* weights) {
   double sum = 0.0;
   for (uint32_t i = 0; i <= radius; ++i) {
     // C(6r, 3r + i) relative to C(6r, 3r).
     double weight = 1.0;
-    for (uint32_t k = 1; shape == BlurShape::gaussian && k <= i; ++k) weight *= double(3 * radius - k + 1) / double(3 * radius + k);
+    for (uint32_t k = 1; k <= i; ++k) weight *= double(3 * radius - k + 1) / double(3 * radius + k);
     weights[i] = static_cast<float>(weight);
     sum += i == 0 ? weight : 2.0 * weight;
   }
@@ -45,7 +45,7 @@ Pipeline MomentMap::make_convert(uint32_t radius) const {
   return make_compute_pipeline(*device_, "convert/" + info_.filter + ".comp", {info_.depth_samples, radius, tile_, uses_depth_tile() ? 1u : 0u});
 }
 
-void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius, BlurShape shape) {
+void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius) {
   if (radius != radius_) {
     // Depths and encoded values of a tile and its apron, and the tile's columns blurred along rows, lie in shared memory, of which
     // every device has 32 KiB.
@@ -59,7 +59,7 @@ void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radiu
   }
   const uint32_t size = image_.info().width;
   ConvertArguments arguments = {drawn.views.address(), drawn.params, drawn.depth.sampled(), image_.storage(), size, 0, {}};
-  fill_weights(radius, shape, arguments.weights);
+  fill_weights(radius, arguments.weights);
   recorder.pass(name_ + "/convert", PassStage::build,
                 {{drawn.depth, Use::compute_read}, {drawn.views, Use::compute_read}, {image_, Use::compute_write}}, [&](Commands& commands) {
                   commands.bind(convert_);

@@ -14,8 +14,6 @@ struct MomentMapInfo {
   bool logarithms = false;       // the image holds logarithms: mips average exponentials
 };
 
-enum class BlurShape { gaussian, box };
-
 class MomentMap {
  public:
   static constexpr uint32_t k_max_radius = 10;  // texels
@@ -25,7 +23,7 @@ class MomentMap {
 
   // radius 0: the encoded texels themselves. Gaussian weights are the middle 2 radius + 1 entries of row 6 radius of Pascal's
   // triangle, normalised (radius 2: row 12).
-  void record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius, BlurShape shape = BlurShape::gaussian);
+  void record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius);
   const Image& image() const { return image_; }
 
  private:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shadow/map/light_views.h"
+#include "shadow/map/projection.h"
 
 namespace gnomon {
 
@@ -39,5 +40,25 @@ float trapezoidal_distance(const WarpFit& fit, float focus, float share);
 
 // The view that holds the body with `border` texels around it.
 ShadowView warped_view(const WarpFit& fit, float apex_distance, uint32_t size, float border);
+
+// A projection of one warped map of what the camera sees. Params: of a table with size and border.
+template <class Params>
+class WarpedProjection : public Projection {
+ public:
+  explicit WarpedProjection(const ParamBlock& params) { set(params); }
+  void set(const ParamBlock& params) final { params_ = params.as<Params>(); }
+  uint32_t map_size() const final { return static_cast<uint32_t>(params_.size); }
+  uint32_t layers() const final { return 1; }
+
+  std::vector<ShadowView> views(const Frame& frame, const Light& light) const final {
+    const auto [near, far] = frame.visible_range();
+    const WarpFit fit = warp_fit(frame.camera(), light, frame.scene().caster_bounds(), frame.scene().bounds(), near, far);
+    return {warped_view(fit, apex_distance(fit), map_size(), params_.border)};
+  }
+
+ protected:
+  virtual float apex_distance(const WarpFit& fit) const = 0;
+  Params params_;
+};
 
 }  // namespace gnomon

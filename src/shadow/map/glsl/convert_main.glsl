@@ -19,7 +19,7 @@ layout(push_constant, scalar) uniform Push {
 layout(constant_id = 0) const uint k_samples = 1;
 layout(constant_id = 1) const int k_radius = 0;
 layout(constant_id = 2) const int k_tile = 32;
-layout(constant_id = 3) const bool k_depth_tile = false;  // see MomentMap::record
+layout(constant_id = 3) const bool k_depth_tile = false;  // see MomentMap::uses_depth_tile
 layout(local_size_x = 256) in;
 
 const int k_side = k_tile + 2 * k_radius;

@@ -34,7 +34,7 @@ struct ShadowMapData {
   float emitter_radius;  // as in LightShape
   uint parallel;         // 1: directional and projector lights
   uint layers;           // in use, of those that the map has
-  float seed;            // of rotated kernels: a fixed number, so that a frame repeats
+  float unused;
 };
 
 #ifdef __cplusplus

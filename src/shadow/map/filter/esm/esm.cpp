@@ -1,7 +1,7 @@
 // Exponential shadow maps (Annen et al. 2008; Salvi 2008): the comparison of two depths becomes the product of two exponentials, one
 // of which is stored and blurred. Cost: one conversion pass over one channel and one texture read. Fails: near contact, where caster
 // and receiver are nearer than some 1/c, and where the kernel sees something beyond the receiver.
-#include "shadow/map/moment_map.h"
+#include "shadow/map/moment_filter.h"
 #include "shadow/registry.h"
 
 namespace gnomon {
@@ -19,21 +19,11 @@ constexpr const char* k_manual =
     "to 160 per range. As published, c = 80 per range (esm.unit=range, esm.c=80): pre-filtered ESM with esm.blur=0,\n"
     "esm.prefilter=true; blurred ESM with esm.blur=2 (5 x 5). The default, 10 per metre, errs less in courtyard.";
 
-class Esm : public Filter {
- public:
-  explicit Esm(const ParamBlock& params) { set(params); }
-  void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
-  float reach() const override { return static_cast<float>(params_.blur) + (params_.mips ? 64.0f : 3.0f); }
-  uint32_t depth_samples() const override { return 1u << params_.samples; }
-  void prepare(Device& device, const MapInfo& info) override {
-    map_ = MomentMap(device, info, {GNOMON_ID_TEXT, VK_FORMAT_R32_SFLOAT, 1, depth_samples(), params_.mips != 0, params_.space == space_log});
+class Esm : public MomentFilter<Params> {
+  using MomentFilter::MomentFilter;
+  MomentMapInfo describe() const override {
+    return {.filter = GNOMON_ID_TEXT, .format = VK_FORMAT_R32_SFLOAT, .channels = 1, .logarithms = params_.space == space_log};
   }
-  void record(Recorder& recorder, const DrawnMap& map) override { map_.record(recorder, map, static_cast<uint32_t>(params_.blur)); }
-  const Image& map(const DrawnMap&) const override { return map_.image(); }
-
- private:
-  Params params_;
-  MomentMap map_;
 };
 
 }  // namespace

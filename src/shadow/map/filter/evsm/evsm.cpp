@@ -1,7 +1,7 @@
 // Exponential variance shadow maps (Lauritzen and McCool 2008, "Layered Variance Shadow Maps"): moments of exponentially warped depth.
 // Cost: as vsm with twice the channels. Fails: less bleeding than vsm, the less the larger the exponents, which floats limit; with
 // 16-bit floats the exponents are so small that much of it remains.
-#include "shadow/map/moment_map.h"
+#include "shadow/map/moment_filter.h"
 #include "shadow/registry.h"
 
 namespace gnomon {
@@ -15,24 +15,14 @@ constexpr const char* k_manual =
     "vsm; the negative one (evsm.moments=four) removes what the first lets through close to a caster. Exponents are limited\n"
     "by what a float can square: 42 with 32 bits, 5.54 with 16. As both go to zero evsm becomes vsm.";
 
-class Evsm : public Filter {
- public:
-  explicit Evsm(const ParamBlock& params) { set(params); }
-  void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
-  float reach() const override { return static_cast<float>(params_.blur) + (params_.mips ? 64.0f : 3.0f); }
-  uint32_t depth_samples() const override { return 1u << params_.samples; }
-  void prepare(Device& device, const MapInfo& info) override {
+class Evsm : public MomentFilter<Params> {
+  using MomentFilter::MomentFilter;
+  MomentMapInfo describe() const override {
     constexpr VkFormat k_formats[2][2] = {{VK_FORMAT_R16G16_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT},
                                           {VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT}};
     // The kernel computes both warps; an image of two channels takes the first.
-    moments_ = MomentMap(device, info, {GNOMON_ID_TEXT, k_formats[params_.format][params_.moments], 4, depth_samples(), params_.mips != 0});
+    return {GNOMON_ID_TEXT, k_formats[params_.format][params_.moments], 4};
   }
-  void record(Recorder& recorder, const DrawnMap& map) override { moments_.record(recorder, map, static_cast<uint32_t>(params_.blur)); }
-  const Image& map(const DrawnMap&) const override { return moments_.image(); }
-
- private:
-  Params params_;
-  MomentMap moments_;
 };
 
 }  // namespace

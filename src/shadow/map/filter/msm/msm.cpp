@@ -1,7 +1,7 @@
 // Moment shadow maps (Peters and Klein 2015; transform and biases: Peters, Muenstermann, Wetzstein and Klein 2017): four moments of depth.
 // Cost: as vsm with twice the channels, at 16 bits each the same memory, and some forty operations more. Fails: three or more
 // layers of casters in one kernel bleed a little.
-#include "shadow/map/moment_map.h"
+#include "shadow/map/moment_filter.h"
 #include "shadow/registry.h"
 
 namespace gnomon {
@@ -15,22 +15,11 @@ constexpr const char* k_manual =
     "receiver's own plane. 64 bits for a texel (msm.format=unorm16) suffice through an affine transform of the moments (Peters et\n"
     "al. 2017). Rounded moments may belong to no distribution: msm.moment_bias moves them inside, at the price of some light.";
 
-class Msm : public Filter {
- public:
-  explicit Msm(const ParamBlock& params) { set(params); }
-  void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
-  float reach() const override { return static_cast<float>(params_.blur) + (params_.mips ? 64.0f : 3.0f); }
-  uint32_t depth_samples() const override { return 1u << params_.samples; }
-  void prepare(Device& device, const MapInfo& info) override {
-    const VkFormat format = params_.format == format_unorm16 ? VK_FORMAT_R16G16B16A16_UNORM : VK_FORMAT_R32G32B32A32_SFLOAT;
-    moments_ = MomentMap(device, info, {GNOMON_ID_TEXT, format, 4, depth_samples(), params_.mips != 0});
+class Msm : public MomentFilter<Params> {
+  using MomentFilter::MomentFilter;
+  MomentMapInfo describe() const override {
+    return {GNOMON_ID_TEXT, params_.format == format_unorm16 ? VK_FORMAT_R16G16B16A16_UNORM : VK_FORMAT_R32G32B32A32_SFLOAT, 4};
   }
-  void record(Recorder& recorder, const DrawnMap& map) override { moments_.record(recorder, map, static_cast<uint32_t>(params_.blur)); }
-  const Image& map(const DrawnMap&) const override { return moments_.image(); }
-
- private:
-  Params params_;
-  MomentMap moments_;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // The cascade of a point, and the next one where they blend.
+#include "shadow/map/glsl/layers.glsl"
 
 bool inside_layer(ShadowView view, vec3 position_ws, out float to_edge) {
   vec4 clip = view.raster.clip_from_world * vec4(position_ws, 1.0);
@@ -6,13 +7,6 @@ bool inside_layer(ShadowView view, vec3 position_ws, out float to_edge) {
   float edge = 1.0 - 2.0 * view.border / view.size;
   to_edge = (edge - max(abs(ndc.x), abs(ndc.y))) / max(edge, 1e-3);
   return to_edge >= 0.0 && ndc.z <= 1.0;
-}
-
-uint one_layer(uint layer, out uint layers[2], out float weights[2]) {
-  layers[0] = layers[1] = layer;
-  weights[0] = 1.0;
-  weights[1] = 0.0;
-  return 1u;
 }
 
 uint two_layers(uint layer, float share, out uint layers[2], out float weights[2]) {

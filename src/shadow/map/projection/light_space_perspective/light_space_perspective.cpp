@@ -16,21 +16,9 @@ constexpr const char* k_manual =
     "perspective error is the same at both ends of the view; it fades to a uniform map as the light turns along the view, where it\n"
     "cannot help. One depth pass. Edges swim when the viewer turns, and shadows far away are coarser than in single.";
 
-class LightSpacePerspective : public Projection {
- public:
-  explicit LightSpacePerspective(const ParamBlock& params) { set(params); }
-  void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
-  uint32_t map_size() const override { return static_cast<uint32_t>(params_.size); }
-  uint32_t layers() const override { return 1; }
-
-  std::vector<ShadowView> views(const Frame& frame, const Light& light) const override {
-    const auto [near, far] = frame.visible_range();
-    const WarpFit fit = warp_fit(frame.camera(), light, frame.scene().caster_bounds(), frame.scene().bounds(), near, far);
-    return {warped_view(fit, light_space_perspective_distance(fit, params_.nearest, params_.strength), map_size(), params_.border)};
-  }
-
- private:
-  Params params_;
+class LightSpacePerspective : public WarpedProjection<Params> {
+  using WarpedProjection::WarpedProjection;
+  float apex_distance(const WarpFit& fit) const override { return light_space_perspective_distance(fit, params_.nearest, params_.strength); }
 };
 
 }  // namespace

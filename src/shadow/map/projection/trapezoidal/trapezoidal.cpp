@@ -16,21 +16,9 @@ constexpr const char* k_manual =
     "nearest trapezoidal.focus of the view gets trapezoidal.share (80 %) of the map. It fades to a uniform map as the light turns along\n"
     "the view. One depth pass. What lies beyond the focus shares the rest: edges there are coarser than in single.";
 
-class Trapezoidal : public Projection {
- public:
-  explicit Trapezoidal(const ParamBlock& params) { set(params); }
-  void set(const ParamBlock& params) override { params_ = params.as<Params>(); }
-  uint32_t map_size() const override { return static_cast<uint32_t>(params_.size); }
-  uint32_t layers() const override { return 1; }
-
-  std::vector<ShadowView> views(const Frame& frame, const Light& light) const override {
-    const auto [near, far] = frame.visible_range();
-    const WarpFit fit = warp_fit(frame.camera(), light, frame.scene().caster_bounds(), frame.scene().bounds(), near, far);
-    return {warped_view(fit, trapezoidal_distance(fit, params_.focus, params_.share), map_size(), params_.border)};
-  }
-
- private:
-  Params params_;
+class Trapezoidal : public WarpedProjection<Params> {
+  using WarpedProjection::WarpedProjection;
+  float apex_distance(const WarpFit& fit) const override { return trapezoidal_distance(fit, params_.focus, params_.share); }
 };
 
 }  // namespace
