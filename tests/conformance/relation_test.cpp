@@ -113,5 +113,17 @@ TEST(Relation, WithoutTheAlphaTestBarsBecomeASheet) {
   EXPECT_GT(wrong, right + 0.05);
 }
 
+// A lamp among its casters has its near plane close by, and its depths far away are a millimetre apart: as much as the default bias.
+TEST(Relation, RoundingOfPerspectiveDepthsIsNoAcne) {
+  View& view = test::kept_view("lamps spot", [] {
+    Scene scene = load_scene("lamps");
+    std::erase_if(scene.lights, [](const Light& light) { return light.kind != LightKind::spot; });
+    return scene;
+  }, {240, 150});
+  const auto error = error_of(view, "single/hard", {});
+  fmt::print("single/hard, the spot of lamps: false shadow {:.5f}, false light {:.5f}\n", amount(error.false_shadow), amount(error.false_light));
+  EXPECT_LT(amount(error.false_shadow), 0.006);
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -19,6 +19,9 @@ struct Receiver {
   vec2 noise;                   // [0, 1), different in neighbouring pixels
 };
 
+// Of the rasteriser's interpolation and of the receiver's own projection together.
+const float k_depth_rounding = 5.0e-7;
+
 vec2 light_uv(ShadowView view, vec3 position_ws) {
   vec4 clip = light_clip(view.raster, position_ws);
   return clip.xy / clip.w * 0.5 + 0.5;
@@ -47,8 +50,9 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
   vec4 clip = light_clip(view.raster, moved);
   vec3 ndc = clip.xyz / clip.w;
   at.uv = ndc.xy * 0.5 + 0.5;
+  // Depths of 32 bits are exact to some 1e-7 only, which far from a perspective's near plane is millimetres: more than a small bias.
   // Beyond the far plane compares as the far plane itself: what the map does not reach is lit.
-  at.depth = min(ndc.z, 1.0);
+  at.depth = min(ndc.z - k_depth_rounding, 1.0);
   at.linear_numerator = view.linear_numerator;
   at.linear_denominator = view.linear_denominator;
   at.linear = linear_depth(at.linear_numerator, at.linear_denominator, at.uv, at.depth);
