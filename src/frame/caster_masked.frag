@@ -2,13 +2,11 @@
 // sample of the caster that a ray through it would be.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "frame/glsl/alpha_test.glsl"
-#include "frame/glsl/bindless.glsl"
-#include "frame/glsl/caster_pass.glsl"
+#include "frame/glsl/caster_alpha.glsl"
 
-layout(location = 0) in vec2 uv;
-layout(location = 1) flat in uint item_index;
+layout(location = 0) in vec2 texel;
+layout(location = 3) flat in AlphaLookup lookup;
 
 void main() {
-  if (!alpha_exists(pass.scene.materials.v[pass.scene.items.v[item_index].material], uv)) discard;
+  if (!alpha_exists(lookup, texel)) discard;
 }

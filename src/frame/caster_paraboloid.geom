@@ -3,24 +3,27 @@
 // that are large as seen from the light; the box around the curved outline follows Gascuel et al. 2008.)
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "frame/glsl/caster_alpha.glsl"
 #include "frame/glsl/caster_pass.glsl"
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 8) out;  // four for each of two halves
 
-layout(location = 0) in vec2 uv_in[];
+layout(location = 0) in vec2 texel_in[];
 layout(location = 1) flat in uint item_in[];
 layout(location = 2) flat in uint layer_mask[];
+layout(location = 3) flat in AlphaLookup lookup_in[];
 
 layout(location = 0) out vec2 disc;           // tan(angle / 2) along x and y
 layout(location = 1) flat out uint item_index;
 layout(location = 2) flat out vec3 corner_a;  // in the light's axes
 layout(location = 3) flat out vec3 corner_b;
 layout(location = 4) flat out vec3 corner_c;
-layout(location = 5) flat out vec2 uv_a;
-layout(location = 6) flat out vec2 uv_b;
-layout(location = 7) flat out vec2 uv_c;
+layout(location = 5) flat out vec2 texel_a;
+layout(location = 6) flat out vec2 texel_b;
+layout(location = 7) flat out vec2 texel_c;
 layout(location = 8) flat out vec2 depths;    // near_m, far_m
+layout(location = 9) flat out AlphaLookup lookup;
 
 // tan(angle / 2) beyond which a corner counts as behind: the box is then the whole map.
 const float k_behind = 3.0;
@@ -81,7 +84,8 @@ void main() {
       disc = at / rim;
       item_index = item_in[0];
       corner_a = a, corner_b = b, corner_c = c;
-      uv_a = uv_in[0], uv_b = uv_in[1], uv_c = uv_in[2];
+      texel_a = texel_in[0], texel_b = texel_in[1], texel_c = texel_in[2];
+      lookup = lookup_in[0];
       depths = vec2(view.near_m, view.far_m);
       EmitVertex();
     }

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "frame/glsl/pixel_tile.glsl"
 #include "frame/light_data.h"
 
 namespace gnomon {
@@ -158,7 +159,7 @@ void Frame::record_surface(Recorder& recorder) {
                 [&](Commands& commands) {
                   commands.bind(pack_pipeline_);
                   commands.push(frame_data_.address());
-                  commands.dispatch(size_, k_group);
+                  commands.dispatch(size_, uvec2(k_pixel_tile));
                 });
 }
 
@@ -171,7 +172,7 @@ void Frame::record_shade(Recorder& recorder) {
   recorder.pass("shade", PassStage::shade, uses, [&](Commands& commands) {
     commands.bind(shade_pipeline_);
     commands.push(ShadeArguments{frame_data_.address(), mask_.address(), display_.address(), linear_.address()});
-    commands.dispatch(size_, k_group);
+    commands.dispatch(size_, uvec2(k_pixel_tile));
   });
 }
 

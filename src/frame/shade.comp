@@ -2,6 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/bindless.glsl"
+#include "frame/glsl/pixel_tile.glsl"
 #include "frame/glsl/surface.glsl"
 
 layout(constant_id = 0) const uint k_samples = 1;
@@ -12,6 +13,10 @@ layout(push_constant, scalar) uniform Push {
   Vec4s linear_out;  // scene-linear colour and coverage
 };
 layout(local_size_x = 8, local_size_y = 8) in;
+
+// Read once: the same for all pixels.
+FrameData data;
+CameraData camera;
 
 vec4 fetch(uint image, ivec2 at, int s) {
   if (k_samples == 1) return texelFetch(images_2d[image], at, 0);
@@ -42,7 +47,7 @@ vec3 shade_light(LightData light, Surface surface, vec3 normal, vec3 to_eye, vec
   // what the geometry turns away.
   float cosine = max(dot(normal, to_light), 0.0) * (dot(surface.geometric_normal_ws, to_light) > 0.0 ? 1.0 : 0.0);
   vec3 result = albedo * cosine / 3.14159265;
-  if (frame.v.specular != 0u && cosine > 0.0) {
+  if (data.specular != 0u && cosine > 0.0) {
     float highlight = pow(max(dot(normal, normalize(to_light + to_eye)), 0.0), material.shininess);
     result += material.specular * highlight * cosine * (material.shininess + 8.0) / (8.0 * 3.14159265);
   }
@@ -56,35 +61,32 @@ vec3 sky(vec3 direction) {
 
 // Filmic curve (Narkowicz 2015), then the sRGB transfer function.
 vec3 display_colour(vec3 c) {
-  c *= frame.v.exposure;
+  c *= data.exposure;
   c = clamp((c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14), 0.0, 1.0);
   return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
-void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
-  CameraData camera = frame.v.camera;
-  if (any(greaterThanEqual(pixel, camera.size))) return;
+void shade_pixel(uvec2 pixel) {
   vec3 shown = vec3(0.0), radiance = vec3(0.0);
   float coverage = 0.0;
   for (uint s = 0u; s < k_samples; ++s) {
     Surface surface;
     vec3 origin, direction, colour;
     view_ray(camera, pixel, s, origin, direction);
-    if (load_surface(frame, pixel, s, surface)) {
+    if (load_surface(camera, data.surface, pixel, s, surface)) {
       uint index = sample_index(camera, pixel, s);
-      vec3 albedo = fetch(frame.v.albedo_image, ivec2(pixel), int(s)).rgb;
-      vec3 normal = normalize(fetch(frame.v.normal_image, ivec2(pixel), int(s)).xyz);
-      MaterialData material = frame.v.scene.materials.v[frame.v.scene.items.v[frame.v.surface.item.v[index]].material];
+      vec3 albedo = fetch(data.albedo_image, ivec2(pixel), int(s)).rgb;
+      vec3 normal = normalize(fetch(data.normal_image, ivec2(pixel), int(s)).xyz);
+      MaterialData material = data.scene.materials.v[data.scene.items.v[data.surface.item.v[index]].material];
       // Sky above, warm bounce below.
-      colour = material.emissive + albedo * frame.v.ambient * mix(vec3(0.52, 0.46, 0.40), vec3(0.80, 0.95, 1.15), normal.y * 0.5 + 0.5);
-      for (uint light = 0u; light < frame.v.light_count; ++light) {
+      colour = material.emissive + albedo * data.ambient * mix(vec3(0.52, 0.46, 0.40), vec3(0.80, 0.95, 1.15), normal.y * 0.5 + 0.5);
+      for (uint light = 0u; light < data.light_count; ++light) {
         float visibility = mask.v[light * camera.size.x * camera.size.y * k_samples + index];
-        colour += shade_light(frame.v.lights.v[light], surface, normal, -normalize(direction), albedo, material, visibility);
+        colour += shade_light(data.lights.v[light], surface, normal, -normalize(direction), albedo, material, visibility);
       }
       coverage += 1.0;
     } else {
-      colour = sky(direction) / frame.v.exposure;
+      colour = sky(direction) / data.exposure;
     }
     radiance += colour;
     shown += display_colour(colour);
@@ -92,4 +94,13 @@ void main() {
   uint index = pixel.y * camera.size.x + pixel.x;
   display.v[index] = packUnorm4x8(vec4(shown / float(k_samples), 1.0));
   linear_out.v[index] = vec4(radiance, coverage) / float(k_samples);
+}
+
+void main() {
+  data = frame.v;
+  camera = data.camera;
+  for (uint i = 0u; i < 4u; ++i) {
+    uvec2 pixel = pixel_of_tile(i);
+    if (all(lessThan(pixel, camera.size))) shade_pixel(pixel);
+  }
 }

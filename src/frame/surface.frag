@@ -2,32 +2,25 @@
 // The ids are whole numbers in floats: integer attachments may not be multisampled on every device. Exact up to 2^24.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "frame/glsl/bindless.glsl"
-#include "frame/glsl/frame_data.glsl"
-#include "base/glsl/alpha.glsl"
+#include "frame/glsl/texture_lookup.glsl"
 
-layout(push_constant, scalar) uniform Push { FrameDataRef frame; };
-
-layout(location = 0) in vec2 uv;
+// As surface.vert writes them.
+layout(location = 0) in vec4 uv;
 layout(location = 1) in vec3 normal_ws;
 layout(location = 2) in vec4 tangent_ws;
-layout(location = 3) in vec4 colour;
-layout(location = 4) flat in uint item_index;
+layout(location = 3) in vec3 tint;
+layout(location = 4) flat in vec3 scalars;
+layout(location = 5) flat in uvec4 ids;
 
 layout(location = 0) out vec4 albedo_out;
 layout(location = 1) out vec4 normal_out;
 layout(location = 2) out vec2 id_out;
 
-vec4 sample_material(uint image, uint wrap, vec2 at) {
-  return texture(sampler2D(material_textures[nonuniformEXT(image)], samplers[nonuniformEXT(wrap)]), at);
-}
-
-vec3 shading_normal(MaterialData material, bool front) {
+vec3 shading_normal(bool front) {
   vec3 n = normalize(normal_ws) * (front ? 1.0 : -1.0);
-  if (frame.v.normal_maps == 0u || material.normal_texture == k_no_texture_index) return n;
-  vec2 at = transform_uv(material.normal_uv_u, material.normal_uv_v, uv);
-  vec3 mapped = sample_material(material.normal_texture, material.normal_sampler, at).xyz * 2.0 - 1.0;
-  mapped.xy *= material.normal_scale;
+  if (ids.w == k_no_texture_index) return n;
+  vec3 mapped = texture(LOOKUP_SAMPLER2D(ids.w), uv.zw).xyz * 2.0 - 1.0;
+  mapped.xy *= scalars.z;
   vec3 t = tangent_ws.xyz - n * dot(n, tangent_ws.xyz);
   float t_length = length(t);
   if (!(t_length > 1e-6)) return n;
@@ -37,15 +30,10 @@ vec3 shading_normal(MaterialData material, bool front) {
 }
 
 void main() {
-  DrawItem item = frame.v.scene.items.v[item_index];
-  MaterialData material = frame.v.scene.materials.v[item.material];
-  vec4 albedo = material.base_colour * vec4(colour.rgb, 1.0);
-  if (material.base_texture != k_no_texture_index) {
-    vec2 at = transform_uv(material.base_uv_u, material.base_uv_v, uv);
-    albedo *= sample_material(material.base_texture, material.base_sampler, at);
-  }
-  if (material.masked != 0u && albedo.a < material.alpha_cutoff) discard;
+  vec4 albedo = vec4(tint, scalars.x);
+  if (ids.z != k_no_texture_index) albedo *= texture(LOOKUP_SAMPLER2D(ids.z), uv.xy);
+  if (albedo.a < scalars.y) discard;
   albedo_out = vec4(albedo.rgb, 1.0);
-  normal_out = vec4(shading_normal(material, gl_FrontFacing != ((item.flags & k_item_mirrored) != 0u)), 0.0);
-  id_out = vec2(float(item_index), float(gl_PrimitiveID));
+  normal_out = vec4(shading_normal(gl_FrontFacing != (ids.y != 0u)), 0.0);
+  id_out = vec2(float(ids.x), float(gl_PrimitiveID));
 }

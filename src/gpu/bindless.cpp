@@ -101,14 +101,16 @@ void Bindless::create_samplers(float max_anisotropy) {
   infos.push_back(anisotropic);  // anisotropic_clamp
   constexpr VkSamplerAddressMode k_wraps[] = {VK_SAMPLER_ADDRESS_MODE_REPEAT, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                                               VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT};
-  for (const auto u : k_wraps) {
-    for (const auto v : k_wraps) {
-      VkSamplerCreateInfo material = base;
-      material.addressModeU = u;
-      material.addressModeV = v;
-      material.anisotropyEnable = max_anisotropy > 1.0f;
-      material.maxAnisotropy = max_anisotropy;
-      infos.push_back(material);
+  VkSamplerCreateInfo nearest = base;
+  nearest.magFilter = nearest.minFilter = VK_FILTER_NEAREST;
+  nearest.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  for (VkSamplerCreateInfo info : {anisotropic, base, nearest}) {  // by MaterialFilter
+    for (const auto u : k_wraps) {
+      for (const auto v : k_wraps) {
+        info.addressModeU = u;
+        info.addressModeV = v;
+        infos.push_back(info);
+      }
     }
   }
 

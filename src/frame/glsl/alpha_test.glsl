@@ -1,4 +1,4 @@
-// Whether an alpha-tested surface exists at a uv: texel fetches around base/glsl/alpha.glsl, the same in raster and rays.
+// Whether an alpha-tested surface exists at a uv, for rays: texel fetches around base/glsl/alpha.glsl.
 #ifndef GNOMON_ALPHA_TEST_GLSL
 #define GNOMON_ALPHA_TEST_GLSL
 #include "frame/glsl/bindless.glsl"

@@ -23,5 +23,6 @@ const uint k_sampler_compare_linear = 2u;
 const uint k_sampler_compare_nearest = 3u;
 const uint k_sampler_anisotropic_clamp = 4u;
 const uint k_sampler_material_first = 5u;
+const uint k_sampler_material_nearest = 23u;
 
 #endif

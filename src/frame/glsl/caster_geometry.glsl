@@ -6,10 +6,13 @@ layout(triangle_strip, max_vertices = 24) out;  // three for each of k_max_layer
 
 layout(location = 2) flat in uint layer_mask[];
 #ifdef CASTER_ATTRIBUTES
-layout(location = 0) in vec2 uv_in[];
+#include "frame/glsl/caster_alpha.glsl"
+layout(location = 0) in vec2 texel_in[];
 layout(location = 1) flat in uint item_in[];
-layout(location = 0) out vec2 uv;
+layout(location = 3) flat in AlphaLookup lookup_in[];
+layout(location = 0) out vec2 texel;
 layout(location = 1) flat out uint item_index;
+layout(location = 3) flat out AlphaLookup lookup;
 #endif
 
 void main() {
@@ -19,8 +22,9 @@ void main() {
       gl_Layer = int(layer);
       gl_Position = clip_in_layer(layer, gl_in[i].gl_Position.xyz);
 #ifdef CASTER_ATTRIBUTES
-      uv = uv_in[i];
+      texel = texel_in[i];
       item_index = item_in[i];
+      lookup = lookup_in[i];
 #endif
       EmitVertex();
     }

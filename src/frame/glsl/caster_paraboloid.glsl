@@ -1,8 +1,7 @@
 // A texel of a paraboloid view against one triangle. The including file says CASTER_MASKED, CASTER_ID.
 #include "frame/glsl/caster_pass.glsl"
 #ifdef CASTER_MASKED
-#include "frame/glsl/alpha_test.glsl"
-#include "frame/glsl/bindless.glsl"
+#include "frame/glsl/caster_alpha.glsl"
 #endif
 
 layout(location = 0) in vec2 disc;
@@ -10,9 +9,12 @@ layout(location = 1) flat in uint item_index;
 layout(location = 2) flat in vec3 corner_a;
 layout(location = 3) flat in vec3 corner_b;
 layout(location = 4) flat in vec3 corner_c;
-layout(location = 5) flat in vec2 uv_a;
-layout(location = 6) flat in vec2 uv_b;
-layout(location = 7) flat in vec2 uv_c;
+#ifdef CASTER_MASKED
+layout(location = 5) flat in vec2 texel_a;
+layout(location = 6) flat in vec2 texel_b;
+layout(location = 7) flat in vec2 texel_c;
+layout(location = 9) flat in AlphaLookup lookup;
+#endif
 layout(location = 8) flat in vec2 depths;
 #ifdef CASTER_ID
 layout(location = 0) out uint id;
@@ -35,15 +37,12 @@ void main() {
   float distance_m = dot(normal, corner_a) / facing;
   // Written so that a NaN of a flattened triangle is left out.
   if (!(all(greaterThanEqual(weight, vec3(0.0))) && distance_m > depths.x && distance_m < depths.y)) discard;
-#if defined(CASTER_MASKED) || defined(CASTER_ID)
-  DrawItem item = pass.scene.items.v[item_index];
-#endif
 #ifdef CASTER_MASKED
-  vec2 uv = (uv_a * weight.x + uv_b * weight.y + uv_c * weight.z) / (weight.x + weight.y + weight.z);
-  if (!alpha_exists(pass.scene.materials.v[item.material], uv)) discard;
+  vec2 texel = (texel_a * weight.x + texel_b * weight.y + texel_c * weight.z) / (weight.x + weight.y + weight.z);
+  if (!alpha_exists(lookup, texel)) discard;
 #endif
 #ifdef CASTER_ID
-  id = item.object + 1u;
+  id = pass.scene.items.v[item_index].object + 1u;
 #endif
   gl_FragDepth = (distance_m - depths.x) / (depths.y - depths.x);
 }

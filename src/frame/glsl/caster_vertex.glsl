@@ -1,10 +1,12 @@
 // The vertex shader of casters. The including file says how layers are reached (CASTER_PER_LAYER, CASTER_VERTEX_LAYER,
-// CASTER_GEOMETRY, CASTER_MULTIVIEW), and with CASTER_ATTRIBUTES that a fragment shader wants uv and item.
+// CASTER_GEOMETRY, CASTER_MULTIVIEW), and with CASTER_ATTRIBUTES that a fragment shader wants them.
 #include "frame/glsl/caster_pass.glsl"
 
 #ifdef CASTER_ATTRIBUTES
-layout(location = 0) out vec2 uv;
+#include "frame/glsl/caster_alpha.glsl"
+layout(location = 0) out vec2 texel;
 layout(location = 1) flat out uint item_index;
+layout(location = 3) flat out AlphaLookup lookup;
 #endif
 #ifdef CASTER_GEOMETRY
 layout(location = 2) flat out uint layer_mask;
@@ -14,7 +16,7 @@ void main() {
   uint item = item_of(gl_InstanceIndex);
   vec3 position_ws = to_world(pass.scene.items.v[item], pass.scene.positions.v[gl_VertexIndex]);
 #ifdef CASTER_ATTRIBUTES
-  uv = pass.scene.attributes.v[gl_VertexIndex].uv;
+  lookup = alpha_lookup(pass.scene.materials.v[pass.scene.items.v[item].material], pass.scene.attributes.v[gl_VertexIndex].uv, texel);
   item_index = item;
 #endif
 #if defined(CASTER_PER_LAYER)

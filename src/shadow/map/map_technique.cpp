@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "frame/glsl/pixel_tile.glsl"
 #include "frame/layering_choice.h"
 #include "scene/light_shape.h"
 
@@ -144,7 +145,7 @@ void MapTechnique::record_resolve(Recorder& recorder, const Frame& frame, size_t
   recorder.pass(name_ + "/resolve", PassStage::resolve, uses, [&](Commands& commands) {
     commands.bind(resolve_);
     commands.push(arguments);
-    commands.dispatch(frame.size(), {16, 16});  // a group's tile
+    commands.dispatch(frame.size(), glm::uvec2(k_pixel_tile));
   });
 }
 

@@ -19,12 +19,14 @@ class MomentFilter : public Filter {
     map.mips = params_.mips != 0;
     moments_ = MomentMap(device, info, map);
   }
-  void record(Recorder& recorder, const DrawnMap& map) final { moments_.record(recorder, map, static_cast<uint32_t>(params_.blur)); }
+  void record(Recorder& recorder, const DrawnMap& map) final { moments_.record(recorder, map, static_cast<uint32_t>(params_.blur), prefilter()); }
   const Image& map(const DrawnMap&) const final { return moments_.image(); }
 
  protected:
   // All but depth_samples and mips.
   virtual MomentMapInfo describe() const = 0;
+  // See MomentMap::record.
+  virtual bool prefilter() const { return false; }
   Params params_;
 
  private:

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace gnomon {
 namespace {
@@ -11,19 +12,22 @@ namespace {
 struct ConvertArguments {
   uint64_t views, params;
   uint32_t depth_image, target, size, unused;
-  float weights[MomentMap::k_max_radius + 1];  // from the middle outward
+  float weights[MomentMap::k_max_taps];
 };
 
-void fill_weights(uint32_t radius, float* weights) {
-  double sum = 0.0;
-  for (uint32_t i = 0; i <= radius; ++i) {
+// From the first tap to the last.
+void fill_weights(uint32_t radius, bool prefilter, float* weights) {
+  std::vector<double> gaussian(2 * radius + 1, 1.0);
+  for (uint32_t i = 1; i <= radius; ++i) {
     // C(6r, 3r + i) relative to C(6r, 3r).
-    double weight = 1.0;
-    for (uint32_t k = 1; k <= i; ++k) weight *= double(3 * radius - k + 1) / double(3 * radius + k);
-    weights[i] = static_cast<float>(weight);
-    sum += i == 0 ? weight : 2.0 * weight;
+    gaussian[radius + i] = gaussian[radius - i] = gaussian[radius + i - 1] * double(3 * radius - i + 1) / double(3 * radius + i);
   }
-  for (uint32_t i = 0; i <= radius; ++i) weights[i] = static_cast<float>(weights[i] / sum);
+  const double sum = std::accumulate(gaussian.begin(), gaussian.end(), 0.0);
+  // The mean with the neighbour ahead, then the Gaussian: one kernel.
+  for (uint32_t i = 0; i < gaussian.size(); ++i) {
+    weights[i] += static_cast<float>(gaussian[i] / sum * (prefilter ? 0.5 : 1.0));
+    if (prefilter) weights[i + 1] += static_cast<float>(gaussian[i] / sum * 0.5);
+  }
 }
 
 }  // namespace
@@ -41,31 +45,35 @@ MomentMap::MomentMap(Device& device, const MapInfo& map, const MomentMapInfo& in
   if (info.mips) mip_ = make_compute_pipeline(device, "shadow/map/mip.comp", {info.logarithms ? 1u : 0u});
 }
 
-Pipeline MomentMap::make_convert(uint32_t radius) const {
-  return make_compute_pipeline(*device_, "convert/" + info_.filter + ".comp", {info_.depth_samples, radius, tile_, uses_depth_tile() ? 1u : 0u});
+MomentMap::Shape MomentMap::shape(uint32_t radius, bool prefilter) const {
+  Shape shape = {.taps = 2 * radius + 1 + (prefilter ? 1 : 0), .before = radius, .columns = 1, .rows = 32, .share = 1, .threads = 128};
+  if (shape.taps == 1) shape.share = 0;
+  // Measured on an H200 (64 to 512 threads, 16 to 64 rows) and, with registers instead of shared memory, on a CPU; wider kernels would not
+  // stay in them.
+  if (device_->info().software && shape.taps <= 10) {
+    shape.columns = 8;
+    shape.rows = 64;
+    shape.share = 0;
+    shape.threads = 64;
+  }
+  return shape;
 }
 
-void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius) {
-  if (radius != radius_) {
-    // Depths and encoded values of a tile and its apron, and the tile's columns blurred along rows, lie in shared memory, of which
-    // every device has 32 KiB.
-    const auto bytes = [&](uint32_t tile) {
-      const uint32_t side = tile + 2 * radius, depths = (side + 3) * (side + 3);
-      return 4 * ((uses_depth_tile() ? depths : 0) + (radius == 0 ? 0 : info_.channels * side * (side + tile)));
-    };
-    tile_ = bytes(32) <= 32768 ? 32 : bytes(16) <= 32768 ? 16 : 8;
-    convert_ = make_convert(radius);
-    radius_ = radius;
+void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius, bool prefilter) {
+  if (const Shape wanted = shape(radius, prefilter); !(wanted == shape_)) {
+    shape_ = wanted;
+    convert_ = make_compute_pipeline(*device_, "convert/" + info_.filter + ".comp",
+                                     {info_.depth_samples, shape_.taps, shape_.before, shape_.columns, shape_.rows, shape_.share, shape_.threads});
   }
   const uint32_t size = image_.info().width;
   ConvertArguments arguments = {drawn.views.address(), drawn.params, drawn.depth.sampled(), image_.storage(), size, 0, {}};
-  fill_weights(radius, arguments.weights);
+  fill_weights(radius, prefilter, arguments.weights);
   recorder.pass(name_ + "/convert", PassStage::build,
                 {{drawn.depth, Use::compute_read}, {drawn.views, Use::compute_read}, {image_, Use::compute_write}}, [&](Commands& commands) {
                   commands.bind(convert_);
                   commands.push(arguments);
-                  const uint32_t tiles = (size + tile_ - 1) / tile_;
-                  commands.dispatch(glm::uvec3(tiles, tiles, image_.info().layers));
+                  const uint32_t columns = shape_.columns_of_group();
+                  commands.dispatch(glm::uvec3((size + columns - 1) / columns, (size + shape_.rows - 1) / shape_.rows, image_.info().layers));
                 });
   if (!info_.mips) return;
   recorder.pass(name_ + "/mips", PassStage::build, {{image_, Use::compute_write}}, [&](Commands& commands) {

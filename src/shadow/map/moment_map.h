@@ -17,26 +17,31 @@ struct MomentMapInfo {
 class MomentMap {
  public:
   static constexpr uint32_t k_max_radius = 10;  // texels
+  static constexpr uint32_t k_max_taps = 2 * k_max_radius + 2;
 
   MomentMap() = default;
   MomentMap(Device& device, const MapInfo& map, const MomentMapInfo& info);
 
   // radius 0: the encoded texels themselves. Gaussian weights are the middle 2 radius + 1 entries of row 6 radius of Pascal's
-  // triangle, normalised (radius 2: row 12).
-  void record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius);
+  // triangle, normalised (radius 2: row 12). prefilter: a texel holds the mean of itself and its neighbours ahead (2 x 2), before the blur;
+  // the reader then looks half a texel back.
+  void record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius, bool prefilter);
   const Image& image() const { return image_; }
 
  private:
-  Pipeline make_convert(uint32_t radius) const;
-  // Neighbours' depths come from shared memory where a texel read is dear (a CPU's), else from the texture cache: measured on an H200,
-  // 0.08 ms against 0.12 for 2048 x 2048 texels.
-  bool uses_depth_tile() const { return info_.depth_samples == 1 && device_->info().software; }
+  // How a kernel of so many taps is cut into threads.
+  struct Shape {
+    uint32_t taps, before, columns, rows, share, threads;
+    uint32_t columns_of_group() const { return share ? threads - (taps - 1) - 2 : threads * columns; }
+    bool operator==(const Shape&) const = default;
+  };
+  Shape shape(uint32_t radius, bool prefilter) const;
 
   Device* device_ = nullptr;
   std::string name_;
   MomentMapInfo info_;
   Image image_;
-  uint32_t radius_ = ~0u, tile_ = 32;
+  Shape shape_ = {};
   Pipeline convert_, mip_;
 };
 

@@ -17,7 +17,8 @@ vec3 biased_position(BiasParams bias, vec3 position_ws, vec3 normal_ws, vec3 to_
   float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
   float slope = min(sine / cosine, bias.max_slope);
   float unit_m = bias.unit == 0u ? texel_m : 0.01;
-  unit_m *= (1.0 + bias.filter_growth * filter_radius) * pow(bias.layer_growth, float(layer));
+  unit_m *= 1.0 + bias.filter_growth * filter_radius;
+  if (bias.layer_growth != 1.0) unit_m *= pow(bias.layer_growth, float(layer));
   return position_ws + normal_ws * (bias.normal_offset * unit_m * sine) + to_light * ((bias.constant + bias.slope * slope) * unit_m);
 }
 

@@ -29,7 +29,7 @@ vec3 to_neighbour(CameraData camera, ivec2 pixel, uint s, Surface surface) {
 }
 #endif
 
-// What all pixels share, read once: a thread handles four of them, because these reads would else cost more than the pixel's own.
+// What all pixels share, read once.
 struct Uniforms {
   CameraData camera;
   SurfaceData surface;
@@ -58,8 +58,10 @@ float evaluate(Uniforms uniforms, uvec2 pixel, uint s) {
   receiver.object_image = object_image;
 #endif
 #ifdef GNOMON_FILTER_FOOTPRINT
-  receiver.pixel_x_ws = to_neighbour(uniforms.camera, ivec2(pixel) + ivec2(1, 0), s, surface);
-  receiver.pixel_y_ws = to_neighbour(uniforms.camera, ivec2(pixel) + ivec2(0, 1), s, surface);
+  if (uniforms.map_filter.mips != 0u) {
+    receiver.pixel_x_ws = to_neighbour(uniforms.camera, ivec2(pixel) + ivec2(1, 0), s, surface);
+    receiver.pixel_y_ws = to_neighbour(uniforms.camera, ivec2(pixel) + ivec2(0, 1), s, surface);
+  }
 #endif
 #ifdef GNOMON_FILTER_NOISE
   // Interleaved gradient noise (Jimenez 2014), and the same shifted: neighbours differ as much as they can.
@@ -69,12 +71,8 @@ float evaluate(Uniforms uniforms, uvec2 pixel, uint s) {
   return visibility(views, map_image, uniforms.projection, uniforms.map_filter, uniforms.bias, receiver);
 }
 
-void resolve_pixel(Uniforms uniforms, uvec2 pixel) {
+void resolve_samples(Uniforms uniforms, uvec2 pixel) {
   uint index = pixel.y * uniforms.camera.size.x + pixel.x;
-  if (k_samples == 1u) {
-    mask.v[index] = evaluate(uniforms, pixel, 0u);
-    return;
-  }
   uint share = uniforms.surface.share.v[index];
   float values[8];
   for (uint s = 0u; s < k_samples; ++s) {
@@ -93,10 +91,18 @@ void main() {
   uniforms.projection = projection.v;
   uniforms.map_filter = map_filter.v;
   uniforms.bias = bias.v;
-  // A group's tile is 16 x 16 pixels: four of 8 x 8.
-  uvec2 first = gl_WorkGroupID.xy * 16u + gl_LocalInvocationID.xy;
+  uvec2 size = uniforms.camera.size;
+  if (k_samples > 1u) {
+    for (uint i = 0u; i < 4u; ++i) {
+      if (all(lessThan(pixel_of_tile(i), size))) resolve_samples(uniforms, pixel_of_tile(i));
+    }
+    return;
+  }
+  // All are answered before the first is written: behind a write, compilers read all that is shared again.
+  float values[4];
+  for (uint i = 0u; i < 4u; ++i) values[i] = evaluate(uniforms, min(pixel_of_tile(i), size - 1u), 0u);
   for (uint i = 0u; i < 4u; ++i) {
-    uvec2 pixel = first + 8u * uvec2(i & 1u, i >> 1u);
-    if (all(lessThan(pixel, uniforms.camera.size))) resolve_pixel(uniforms, pixel);
+    uvec2 pixel = pixel_of_tile(i);
+    if (all(lessThan(pixel, size))) mask.v[pixel.y * size.x + pixel.x] = values[i];
   }
 }

@@ -4,6 +4,7 @@
 //        which layers hold the point (0: outside every layer, which is lit) and how much each counts
 //   float lit(uint map_image, MapSample at, FilterParams params)
 //   float filter_radius(FilterParams params)      texels that the kernel reaches from its middle
+// and, where its views are paraboloids (k_view_paraboloid), the macro GNOMON_PROJECTION_PARABOLOID.
 // It needs of the outside world: the bindless set, and the addresses below.
 #ifndef GNOMON_VISIBILITY_GLSL
 #define GNOMON_VISIBILITY_GLSL
@@ -22,17 +23,26 @@ struct Receiver {
 // Of the rasteriser's interpolation and of the receiver's own projection together.
 const float k_depth_rounding = 5.0e-7;
 
+// Known to the compiler, unlike LightView::kind.
+#ifdef GNOMON_PROJECTION_PARABOLOID
+const bool k_projective = false;
+vec4 map_clip(ShadowView view, vec3 position_ws) { return light_clip(view.raster, position_ws); }
+#else
+const bool k_projective = true;
+vec4 map_clip(ShadowView view, vec3 position_ws) { return view.raster.clip_from_world * vec4(position_ws, 1.0); }
+#endif
+
 vec2 light_uv(ShadowView view, vec3 position_ws) {
-  vec4 clip = light_clip(view.raster, position_ws);
+  vec4 clip = map_clip(view, position_ws);
   return clip.xy / clip.w * 0.5 + 0.5;
 }
 
 // A paraboloid bends planes: the gradient is a difference of two points of the plane, one pixel of the map apart.
 vec2 paraboloid_gradient(ShadowView view, vec3 position_ws, vec3 normal_ws, float texel_m) {
   vec3 along = normalize(cross(normal_ws, abs(normal_ws.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
-  vec3 a = light_clip(view.raster, position_ws).xyz;
-  vec3 b = light_clip(view.raster, position_ws + along * texel_m).xyz - a;
-  vec3 c = light_clip(view.raster, position_ws + cross(normal_ws, along) * texel_m).xyz - a;
+  vec3 a = map_clip(view, position_ws).xyz;
+  vec3 b = map_clip(view, position_ws + along * texel_m).xyz - a;
+  vec3 c = map_clip(view, position_ws + cross(normal_ws, along) * texel_m).xyz - a;
   float area = b.x * c.y - b.y * c.x;
   if (abs(area) < 1e-14) return vec2(0.0);
   return 2.0 * vec2(b.z * c.y - c.z * b.y, c.z * b.x - b.z * c.x) / area;
@@ -43,11 +53,10 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
   MapSample at;
   at.layer = layer;
   at.size = view.size;
-  bool projective = view.raster.kind == k_view_projective;
-  float w = projective ? (view.raster.clip_from_world * vec4(receiver.position_ws, 1.0)).w : length(receiver.position_ws - view.origin_ws);
+  float w = k_projective ? (view.raster.clip_from_world * vec4(receiver.position_ws, 1.0)).w : length(receiver.position_ws - view.origin_ws);
   at.texel_m = max(view.texel_m, view.texel_along_m * w) * max(w, 0.0);
   vec3 moved = biased_position(bias, receiver.position_ws, receiver.normal_ws, receiver.to_light, at.texel_m, radius, layer);
-  vec4 clip = light_clip(view.raster, moved);
+  vec4 clip = map_clip(view, moved);
   vec3 ndc = clip.xyz / clip.w;
   at.uv = ndc.xy * 0.5 + 0.5;
   // Depths of 32 bits are exact to some 1e-7 only, which far from a perspective's near plane is millimetres: more than a small bias.
@@ -59,7 +68,7 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
   at.depth_gradient = at.linear_gradient = vec2(0.0);
   at.plane_move = 0.0;
   if (bias.receiver_plane != 0u) {
-    at.depth_gradient = projective ? plane_depth_gradient(view.world_from_clip, moved, receiver.normal_ws)
+    at.depth_gradient = k_projective ? plane_depth_gradient(view.world_from_clip, moved, receiver.normal_ws)
                                    : paraboloid_gradient(view, moved, receiver.normal_ws, at.texel_m);
     // Of a ratio of two affine functions of (u, v, depth).
     vec4 ndc1 = vec4(ndc.xy, at.depth, 1.0);
@@ -70,8 +79,11 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
     float steepness_m = length(at.linear_gradient) * view.depth_range_m;
     at.plane_move = steepness_m > 0.0 ? bias.plane_limit * length(at.depth_gradient) / steepness_m : 0.0;
   }
-  at.footprint_x = light_uv(view, moved + receiver.pixel_x_ws) - at.uv;
-  at.footprint_y = light_uv(view, moved + receiver.pixel_y_ws) - at.uv;
+  at.footprint_x = at.footprint_y = vec2(0.0);
+  if (receiver.pixel_x_ws != vec3(0.0)) {
+    at.footprint_x = light_uv(view, moved + receiver.pixel_x_ws) - at.uv;
+    at.footprint_y = light_uv(view, moved + receiver.pixel_y_ws) - at.uv;
+  }
   at.depth_range_m = view.depth_range_m;
   at.depth_near_m = view.depth_near_m;
   at.emitter_radius = views.map.emitter_radius;

@@ -21,6 +21,7 @@ constexpr const char* k_manual =
 
 class Esm : public MomentFilter<Params> {
   using MomentFilter::MomentFilter;
+  bool prefilter() const override { return params_.prefilter != 0; }
   MomentMapInfo describe() const override {
     return {.filter = GNOMON_ID_TEXT, .format = VK_FORMAT_R32_SFLOAT, .channels = 1, .logarithms = params_.space == space_log};
   }

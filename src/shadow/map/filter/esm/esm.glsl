@@ -29,9 +29,9 @@ float lit(uint map_image, MapSample at, FilterParams params) {
   float exponent = esm_exponent(params.c, params.unit, params.space, at.depth_range_m);
   float average;
   if (params.space == space_log) {
-    average = params.mips != 0u ? moments_at(map_image, at).x : bilinear_log(map_image, at);
+    average = params.mips != 0u ? moments_at(map_image, at, true).x : bilinear_log(map_image, at);
   } else {
-    average = log(max(moments_at(map_image, at).x, 1e-37));
+    average = log(max(moments_at(map_image, at, params.mips != 0u).x, 1e-37));
   }
   float receiver = exponent * (clamp(at.linear, 0.0, 1.0) - 0.5);
   // The difference of logarithms, and not a product of exponentials, which could be infinity times zero.

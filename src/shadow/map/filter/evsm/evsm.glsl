@@ -6,7 +6,7 @@
 float filter_radius(FilterParams params) { return float(params.blur) + 1.0; }
 
 float lit(uint map_image, MapSample at, FilterParams params) {
-  vec4 moments = moments_at(map_image, at);
+  vec4 moments = moments_at(map_image, at, params.mips != 0u);
   bool half_floats = params.format == format_float16;
   vec2 exponents = vec2(evsm_exponent(params.positive, half_floats), evsm_exponent(params.negative, half_floats));
   vec2 receiver = evsm_warp(at.linear, exponents);

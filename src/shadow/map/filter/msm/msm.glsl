@@ -6,7 +6,7 @@
 float filter_radius(FilterParams params) { return float(params.blur) + 1.0; }
 
 float lit(uint map_image, MapSample at, FilterParams params) {
-  vec4 moments = moments_at(map_image, at);
+  vec4 moments = moments_at(map_image, at, params.mips != 0u);
   bool quantized = params.format == format_unorm16;
   if (quantized) moments = msm_unquantized(moments);
   float receiver = clamp(at.linear - params.depth_bias * 0.01 / at.depth_range_m, 0.0, 1.0);

@@ -1,3 +1,5 @@
+#define GNOMON_PROJECTION_PARABOLOID
+
 // The half that the point lies in.
 uint project(ShadowViews views, ProjectionParams params, vec3 position_ws, out uint layers[2], out float weights[2]) {
   vec4 axis = transpose(views.v[0].raster.clip_from_world)[2];
