@@ -85,4 +85,11 @@ void Commands::copy(const Buffer& from, const Buffer& to, size_t bytes, size_t f
   vkCmdCopyBuffer(commands_, from.handle(), to.handle(), 1, &region);
 }
 
+void Commands::copy(const Buffer& from, const Image& to) {
+  VkBufferImageCopy region = {};
+  region.imageSubresource = {to.aspect(), 0, 0, to.info().layers};
+  region.imageExtent = {to.info().width, to.info().height, 1};
+  vkCmdCopyBufferToImage(commands_, from.handle(), to.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
 }  // namespace gnomon

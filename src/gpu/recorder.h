@@ -75,7 +75,8 @@ class Commands {
   // Between two dispatches of one pass: the second reads what the first wrote.
   void compute_barrier();
   // view_mask: of multiview, else 0.
-  void begin_rendering(uvec2 size, std::span<const Attachment> colours, const Attachment& depth, uint32_t layers = 1, uint32_t view_mask = 0);
+  void begin_rendering(uvec2 size, std::span<const Attachment> colours, const Attachment& depth, uint32_t layers = 1,
+                       uint32_t view_mask = 0);
   void end_rendering();
   void cull_mode(VkCullModeFlags mode);
   // Indexed, indirect, with the count at `count_offset` of `counts` (bytes); at most `max_draws`.
@@ -83,6 +84,8 @@ class Commands {
                      uint32_t max_draws);
   void trace(const RayPipeline& pipeline, uvec2 size);
   void copy(const Buffer& from, const Buffer& to, size_t bytes, size_t from_offset = 0, size_t to_offset = 0);
+  // Texels, row by row and layer by layer, into mip 0.
+  void copy(const Buffer& from, const Image& to);
 
  private:
   friend class Recorder;

@@ -21,7 +21,11 @@ std::string first_sentence(const std::string& manual) {
 TechniqueSpec map_spec(const ProjectionInfo& projection, const FilterInfo& filter) {
   TechniqueSpec spec;
   spec.name = projection.id + "/" + filter.id;
-  spec.tables = {{projection.id, projection.params}, {filter.id, filter.params}, {"bias", bias_params::param_table_storage()}, {"submission", submission_params::param_table_storage()}};
+  spec.tables = {{projection.id, projection.params},
+                 {filter.id, filter.params},
+                 {"bias", bias_params::param_table_storage()},
+                 {"submission", submission_params::param_table_storage()},
+                 {"temporal", temporal_params::param_table_storage()}};
   spec.manual = projection.manual + "\n\n" + filter.manual;
   spec.summary = first_sentence(projection.manual) + " " + first_sentence(filter.manual);
   spec.light_kinds = projection.light_kinds;

@@ -13,6 +13,7 @@ struct MapInfo {
   std::string name;        // "projection/filter": of passes and images
   uint32_t size = 0;       // texels along a side
   uint32_t layers = 0;
+  float history = 0.0f;    // temporal.history
 };
 
 // What the projection drew this frame. Layers that are not in use hold depth 1.
@@ -21,6 +22,7 @@ struct DrawnMap {
   const Image* object_ids; // R32_UINT; null unless Filter::object_ids()
   const Buffer& views;     // ShadowMapData, then a ShadowView for each layer
   uint64_t params;         // device address of the filter's parameters
+  const Buffer* last_views;  // of the last frame's map, to blend this one with; null: there is none
 };
 
 class Filter {
@@ -36,6 +38,10 @@ class Filter {
   // Texels from a point's own place that lit() may read, mips aside. Casters farther than this from every point that a layer serves
   // need not be drawn into it.
   virtual float reach() const { return 32.0f; }
+
+  // record() blends what the filter stores with what it stored last (MapInfo::history, DrawnMap::last_views). Otherwise the depth map
+  // that it reads is blended already.
+  virtual bool blends_history() const { return false; }
 
   // Called once per build, before record: makes what the filter needs beside the depth map.
   virtual void prepare(Device& /*device*/, const MapInfo& /*info*/) {}

@@ -19,9 +19,13 @@ LayeringPath chosen_path(const submission_params::Params& params, const DeviceIn
   return static_cast<LayeringPath>(params.path - submission_params::path_per_layer);
 }
 
+// A map that does not change is drawn until less than this of it is from before its last change, and then kept (submission.cache).
+constexpr float k_settled = 1e-3f;
+
 }  // namespace
 
-MapTechnique::MapTechnique(TechniqueContext& context, const ProjectionInfo& projection, const FilterInfo& filter, const SettingsMap& settings)
+MapTechnique::MapTechnique(TechniqueContext& context, const ProjectionInfo& projection, const FilterInfo& filter,
+                           const SettingsMap& settings)
     : projection_id_(projection.id),
       filter_id_(filter.id),
       name_(projection.id + "/" + filter.id),
@@ -29,9 +33,19 @@ MapTechnique::MapTechnique(TechniqueContext& context, const ProjectionInfo& proj
       filter_(filter.make(settings.at(filter.id))) {
   Device& device = context.device();
   submission_ = settings.at("submission").as<submission_params::Params>();
+  history_ = settings.at("temporal").as<temporal_params::Params>().history;
+  if (history_ > 0.0f && filter_->object_ids()) {
+    fail_usage("temporal.history={}: {} stores objects, and there is no mean of two objects; valid: 0", history_, filter_id_);
+  }
   create_map(device, context.frame().scene());
-  filter_->prepare(device, {name_, projection_->map_size(), projection_->layers()});
-  views_ = Buffer(device, name_ + " views", sizeof(ShadowMapData) + projection_->layers() * sizeof(ShadowView), BufferMemory::upload);
+  const MapInfo map = {name_, projection_->map_size(), projection_->layers(), history_};
+  filter_->prepare(device, map);
+  if (history_ > 0.0f && !filter_->blends_history()) depth_history_ = DepthHistory(device, map);
+  const auto make_views = [&](const char* suffix) {
+    return Buffer(device, name_ + suffix, sizeof(ShadowMapData) + projection_->layers() * sizeof(ShadowView), BufferMemory::upload);
+  };
+  views_ = make_views(" views");
+  if (history_ > 0.0f) last_views_ = make_views(" last views");
   view_bytes_.resize(views_.bytes());
   filter_offset_ = block_bytes(settings.at(projection_id_));
   bias_offset_ = filter_offset_ + block_bytes(settings.at(filter_id_));
@@ -49,6 +63,7 @@ void MapTechnique::create_map(Device& device, const GpuScene& scene) {
   map.format = VK_FORMAT_D32_SFLOAT;
   map.samples = filter_->depth_samples();
   map.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+  if (history_ > 0.0f && !filter_->blends_history()) map.usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   depth_ = Image(device, map);
   if (filter_->object_ids()) {
     map.name = name_ + " object ids";
@@ -83,7 +98,11 @@ void MapTechnique::set(const SettingsMap& settings) {
 
 bool MapTechnique::update_views(const Frame& frame, const Light& light) {
   std::vector<ShadowView> views = projection_->views(frame, light);
-  for (ShadowView& view : views) view.raster.kernel_m = filter_->reach() * view.texel_m;
+  for (ShadowView& view : views) {
+    view.raster.kernel_m = filter_->reach() * view.texel_m;
+    // What nobody reads in this frame the next one may blend with.
+    if (history_ > 0.0f) view.raster.served = 0.0f;
+  }
   GNOMON_ASSERT(views.size() <= projection_->layers());
   std::vector<std::byte> bytes(views_.bytes());
   const CameraData& camera = frame.camera();
@@ -97,18 +116,25 @@ bool MapTechnique::update_views(const Frame& frame, const Light& light) {
   // Layers that this frame does not need keep `in_use` at 0.
   const bool same = std::memcmp(bytes.data() + sizeof map, view_bytes_.data() + sizeof map, bytes.size() - sizeof map) == 0;
   view_bytes_ = std::move(bytes);
+  if (history_ > 0.0f) std::swap(views_, last_views_);
   std::memcpy(views_.mapped(), view_bytes_.data(), view_bytes_.size());
   views_.flush();
   return !same;
 }
 
 DrawnMap MapTechnique::drawn() const {
-  return {depth_, filter_->object_ids() ? &object_ids_ : nullptr, views_, params_.address() + filter_offset_};
+  return {depth_, filter_->object_ids() ? &object_ids_ : nullptr, views_, params_.address() + filter_offset_,
+          history_ > 0.0f && map_is_current_ ? &last_views_ : nullptr};
 }
 
 void MapTechnique::record(Recorder& recorder, const Frame& frame, size_t light) {
   const bool moved = update_views(frame, frame.lights()[light]) || projection_->on_gpu();
-  if (!submission_.cache || moved || !map_is_current_) record_map(recorder, frame, light);
+  if (moved) unsettled_ = 1.0f;
+  if (!map_is_current_) unsettled_ = 0.0f;
+  if (!submission_.cache || moved || !map_is_current_ || unsettled_ > k_settled) {
+    record_map(recorder, frame, light);
+    unsettled_ *= history_;
+  }
   map_is_current_ = true;
   record_resolve(recorder, frame, light);
 }
@@ -118,6 +144,7 @@ void MapTechnique::record_map(Recorder& recorder, const Frame& frame, size_t lig
   const LightViews views = {&views_, sizeof(ShadowMapData), sizeof(ShadowView), projection_->layers()};
   draws_->record(recorder, projection_id_, views, static_cast<CasterCulling>(submission_.culling), bias_.front_face_culling != 0, depth_,
                  filter_->object_ids() ? &object_ids_ : nullptr);
+  if (history_ > 0.0f && !filter_->blends_history()) depth_history_.record(recorder, drawn());
   filter_->record(recorder, drawn());
 }
 

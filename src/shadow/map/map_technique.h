@@ -2,6 +2,7 @@
 #pragma once
 
 #include "frame/caster_draws.h"
+#include "shadow/map/depth_history.h"
 #include "shadow/registry.h"
 
 namespace gnomon {
@@ -17,6 +18,12 @@ namespace submission_params {
 #include "base/params_define.h"
 #undef GNOMON_PARAMS_FILE
 }  // namespace submission_params
+
+namespace temporal_params {
+#define GNOMON_PARAMS_FILE "shadow/map/temporal.params"
+#include "base/params_define.h"
+#undef GNOMON_PARAMS_FILE
+}  // namespace temporal_params
 
 class MapTechnique : public Technique {
  public:
@@ -37,13 +44,16 @@ class MapTechnique : public Technique {
   std::unique_ptr<Filter> filter_;
   bias_params::Params bias_;
   submission_params::Params submission_;
+  float history_;  // temporal.history
   Image depth_, object_ids_;
-  Buffer views_, params_;
+  Buffer views_, last_views_, params_;          // views change places each frame; last_views_ only with history_
   std::vector<std::byte> view_bytes_;           // as in views_, where the CPU can read them
   size_t filter_offset_ = 0, bias_offset_ = 0;  // of the blocks in params_
   std::unique_ptr<CasterDraws> draws_;
+  DepthHistory depth_history_;                  // where the filter blends nothing itself
   Pipeline resolve_;
-  bool map_is_current_ = false;  // for submission.cache
+  bool map_is_current_ = false;  // there is a map of an earlier frame with the same settings
+  float unsettled_ = 0.0f;       // share of the map that is from before the views' last change
 };
 
 }  // namespace gnomon

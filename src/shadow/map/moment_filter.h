@@ -13,6 +13,7 @@ class MomentFilter : public Filter {
   void set(const ParamBlock& params) final { params_ = params.as<Params>(); }
   float reach() const final { return static_cast<float>(params_.blur) + (params_.mips ? 64.0f : 3.0f); }
   uint32_t depth_samples() const final { return 1u << params_.samples; }
+  bool blends_history() const final { return true; }
   void prepare(Device& device, const MapInfo& info) final {
     MomentMapInfo map = describe();
     map.depth_samples = depth_samples();

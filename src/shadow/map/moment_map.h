@@ -36,13 +36,15 @@ class MomentMap {
     bool operator==(const Shape&) const = default;
   };
   Shape shape(uint32_t radius, bool prefilter) const;
+  void record_history(Recorder& recorder, const DrawnMap& drawn);
 
   Device* device_ = nullptr;
   std::string name_;
   MomentMapInfo info_;
-  Image image_;
+  float history_ = 0.0f;
+  Image image_, last_;  // change places each frame; last_ only with history_
   Shape shape_ = {};
-  Pipeline convert_, mip_;
+  Pipeline convert_, mip_, blend_;
 };
 
 }  // namespace gnomon
