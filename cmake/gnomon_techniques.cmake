@@ -65,7 +65,8 @@ function(gnomon_find_techniques registry)
       string(APPEND declarations "${kind}Info ${lower}_info_${id}();\n")
       string(APPEND list "      ${lower}_info_${id}(),\n")
     endforeach()
-    string(APPEND functions "std::span<const ${kind}Info> ${lower}s() {\n  static const std::vector<${kind}Info> all = {\n${list}  };\n  return all;\n}\n")
+    string(APPEND functions "std::span<const ${kind}Info> ${lower}s() {\n  static const std::vector<${kind}Info> all = {\n${list}  };\n"
+      "  return all;\n}\n")
   endforeach()
   file(CONFIGURE OUTPUT ${registry} CONTENT
 "// Made by cmake/gnomon_techniques.cmake from the folders below src/shadow.
