@@ -3,12 +3,35 @@
 
 #include <chrono>
 #include <cstring>
+#include <exception>
 #include <map>
 
 #include "base/error.h"
 #include "gpu/recorder.h"
 
 namespace gnomon {
+namespace {
+
+void destroy_later(Device& device, VkAccelerationStructureKHR handle) {
+  if (!handle) return;
+  device.defer([device = device.handle(), function = device.ray_tracing().destroy_acceleration_structure, handle] {
+    function(device, handle, nullptr);
+  });
+}
+
+// Runs on the way out of a scope that an exception leaves: no destructor runs for an object that was not made.
+template <class Undo>
+struct OnFailure {
+  Undo undo;
+  int exceptions = std::uncaught_exceptions();
+  ~OnFailure() {
+    if (std::uncaught_exceptions() > exceptions) undo();
+  }
+};
+template <class Undo>
+OnFailure(Undo) -> OnFailure<Undo>;
+
+}  // namespace
 
 RayPipeline make_visibility_pipeline(Device& device, std::string_view raygen) {
   return RayPipeline(device, raygen, "frame/visibility.rmiss", "frame/visibility.rahit");
@@ -16,6 +39,9 @@ RayPipeline make_visibility_pipeline(Device& device, std::string_view raygen) {
 
 AccelerationStructure::AccelerationStructure(Device& device, const GpuScene& scene) : device_(device) {
   if (!device.info().ray_tracing) fail_device("'{}' has no ray-tracing pipeline", device.info().name);
+  const OnFailure clean_up{[this] {
+    for (Level& level : bottom_) destroy_later(device_, level.handle);
+  }};
   const auto start = std::chrono::steady_clock::now();
   std::map<uint32_t, uint64_t> address_of_part;  // by first index: instances share their part's structure
   const auto set_transform = [](VkTransformMatrixKHR& transform, const vec4& x, const vec4& y, const vec4& z) {
@@ -49,7 +75,8 @@ AccelerationStructure::AccelerationStructure(Device& device, const GpuScene& sce
       if (!shared) {
         transform = Buffer(device, "baked transform", sizeof(VkTransformMatrixKHR), BufferMemory::upload,
                            VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR);
-        set_transform(transform.mapped_as<VkTransformMatrixKHR>()[0], item.world_from_object_x, item.world_from_object_y, item.world_from_object_z);
+        set_transform(transform.mapped_as<VkTransformMatrixKHR>()[0], item.world_from_object_x, item.world_from_object_y,
+                      item.world_from_object_z);
         transform.flush();
         triangles.transformData.deviceAddress = transform.address();
       }
@@ -104,6 +131,7 @@ AccelerationStructure::Level AccelerationStructure::build(const VkAccelerationSt
   create.size = sizes.accelerationStructureSize;
   create.type = type;
   vk_check(functions.create_acceleration_structure(device_.handle(), &create, nullptr, &level.handle), "vkCreateAccelerationStructureKHR");
+  const OnFailure clean_up{[&] { destroy_later(device_, level.handle); }};
 
   const uint64_t alignment = std::max<uint64_t>(device_.info().scratch_alignment, 1);
   const Buffer scratch(device_, "build scratch", sizes.buildScratchSize + alignment);
@@ -121,14 +149,8 @@ AccelerationStructure::Level AccelerationStructure::build(const VkAccelerationSt
 }
 
 AccelerationStructure::~AccelerationStructure() {
-  const auto destroy = [&](Level& level) {
-    if (!level.handle) return;
-    device_.defer([device = device_.handle(), function = device_.ray_tracing().destroy_acceleration_structure, handle = level.handle] {
-      function(device, handle, nullptr);
-    });
-  };
-  destroy(top_);
-  for (Level& level : bottom_) destroy(level);
+  destroy_later(device_, top_.handle);
+  for (Level& level : bottom_) destroy_later(device_, level.handle);
 }
 
 }  // namespace gnomon

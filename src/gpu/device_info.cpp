@@ -1,6 +1,7 @@
 // Queries of a physical device.
 #include "gpu/device_info.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/error.h"
@@ -78,18 +79,33 @@ std::vector<int> surface_sample_counts(const VkPhysicalDeviceLimits& limits) {
   return supported;
 }
 
-}  // namespace
-
-uint32_t find_queue_family(VkPhysicalDevice physical) {
+std::vector<VkQueueFamilyProperties> queue_families(VkPhysicalDevice physical) {
   uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-  for (uint32_t i = 0; i < count; ++i) {
-    constexpr VkQueueFlags k_needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    if ((families[i].queueFlags & k_needed) == k_needed) return i;
-  }
-  fail_device("the device has no queue for both graphics and compute");
+  return families;
+}
+
+bool serves_all(const VkQueueFamilyProperties& family) {
+  constexpr VkQueueFlags k_needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+  return (family.queueFlags & k_needed) == k_needed;
+}
+
+}  // namespace
+
+uint32_t find_queue_family(VkPhysicalDevice physical) {
+  const auto families = queue_families(physical);
+  const auto found = std::find_if(families.begin(), families.end(), serves_all);
+  if (found == families.end()) fail_device("the device has no queue for both graphics and compute");
+  return static_cast<uint32_t>(found - families.begin());
+}
+
+uint64_t timestamp_mask(VkPhysicalDevice physical) {
+  const auto families = queue_families(physical);
+  const auto found = std::find_if(families.begin(), families.end(), serves_all);
+  const uint32_t bits = found == families.end() ? 0 : found->timestampValidBits;
+  return bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1;
 }
 
 DeviceInfo device_info(VkPhysicalDevice physical) {
@@ -149,7 +165,7 @@ DeviceInfo device_info(VkPhysicalDevice physical) {
   info.geometry_shader = features.features.geometryShader;
   info.mesh_shader = has("VK_EXT_mesh_shader");
   info.max_anisotropy = basic.limits.maxSamplerAnisotropy;
-  info.timestamp_ms = basic.limits.timestampComputeAndGraphics ? basic.limits.timestampPeriod * 1e-6 : 0.0;
+  info.timestamp_ms = timestamp_mask(physical) != 0 ? basic.limits.timestampPeriod * 1e-6 : 0.0;
   info.sample_counts = surface_sample_counts(basic.limits);
   info.shader_group_handle_size = ray.shaderGroupHandleSize;
   info.shader_group_base_alignment = ray.shaderGroupBaseAlignment;

@@ -24,5 +24,7 @@ struct FeatureChain {
 
 // The queue family for graphics and compute; throws Error (device) when there is none.
 uint32_t find_queue_family(VkPhysicalDevice physical);
+// The bits of that family's timestamps that count; 0: it has none.
+uint64_t timestamp_mask(VkPhysicalDevice physical);
 
 }  // namespace gnomon

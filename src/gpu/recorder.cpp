@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "base/error.h"
+#include "gpu/device_info.h"
 #include "gpu/memory_barrier.h"
 
 namespace gnomon {
@@ -37,7 +38,8 @@ void full_barrier(VkCommandBuffer commands) {
 
 // What the CPU reads after waiting (readback buffers) must be made visible to it: waiting alone does not.
 void host_barrier(VkCommandBuffer commands) {
-  memory_barrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
+  memory_barrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
+                 VK_ACCESS_2_HOST_READ_BIT);
 }
 
 void widen(VkMemoryBarrier2& memory, const Transition& transition) {
@@ -45,6 +47,12 @@ void widen(VkMemoryBarrier2& memory, const Transition& transition) {
   memory.srcAccessMask |= transition.from_access;
   memory.dstStageMask |= transition.to_stages;
   memory.dstAccessMask |= transition.to_access;
+}
+
+void destroy(Device& device, VkQueryPool timestamps, VkQueryPool statistics, VkCommandPool pool) {
+  vkDestroyQueryPool(device.handle(), timestamps, nullptr);
+  vkDestroyQueryPool(device.handle(), statistics, nullptr);
+  vkDestroyCommandPool(device.handle(), pool, nullptr);
 }
 
 }  // namespace
@@ -61,28 +69,32 @@ std::string_view stage_name(PassStage stage) {
 }
 
 Recorder::Recorder(Device& device, TimingMode mode, bool isolate) : device_(device), mode_(mode), isolate_(isolate) {
-  VkCommandPoolCreateInfo pool = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-  pool.queueFamilyIndex = device.queue_family();
-  vk_check(vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_), "vkCreateCommandPool");
-  VkQueryPoolCreateInfo queries = {VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
-  queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
-  queries.queryCount = 2 * k_max_passes;
-  vk_check(vkCreateQueryPool(device.handle(), &queries, nullptr, &timestamps_), "vkCreateQueryPool");
-  if (device.info().pipeline_statistics) {
-    queries.queryType = VK_QUERY_TYPE_PIPELINE_STATISTICS;
-    queries.queryCount = k_max_passes;
-    queries.pipelineStatistics = VK_QUERY_PIPELINE_STATISTIC_INPUT_ASSEMBLY_PRIMITIVES_BIT;
-    vk_check(vkCreateQueryPool(device.handle(), &queries, nullptr, &statistics_), "vkCreateQueryPool");
-  }
+  // Before the pools: it cleans up after itself, they do not.
   draw_counts_ = Buffer(device, "draw counts", k_max_indirect_draws * sizeof(uint32_t), BufferMemory::readback);
+  try {
+    VkCommandPoolCreateInfo pool = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool.queueFamilyIndex = device.queue_family();
+    vk_check(vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_), "vkCreateCommandPool");
+    VkQueryPoolCreateInfo queries = {VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+    queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    queries.queryCount = 2 * k_max_passes;
+    vk_check(vkCreateQueryPool(device.handle(), &queries, nullptr, &timestamps_), "vkCreateQueryPool");
+    if (device.info().pipeline_statistics) {
+      queries.queryType = VK_QUERY_TYPE_PIPELINE_STATISTICS;
+      queries.queryCount = k_max_passes;
+      queries.pipelineStatistics = VK_QUERY_PIPELINE_STATISTIC_INPUT_ASSEMBLY_PRIMITIVES_BIT;
+      vk_check(vkCreateQueryPool(device.handle(), &queries, nullptr, &statistics_), "vkCreateQueryPool");
+    }
+  } catch (...) {
+    destroy(device, timestamps_, statistics_, pool_);  // no destructor runs for an object that was not made
+    throw;
+  }
 }
 
 Recorder::~Recorder() {
   if (recording_) device_.end_recording();  // an exception left the frame unfinished
   vkDeviceWaitIdle(device_.handle());
-  vkDestroyQueryPool(device_.handle(), timestamps_, nullptr);
-  vkDestroyQueryPool(device_.handle(), statistics_, nullptr);
-  vkDestroyCommandPool(device_.handle(), pool_, nullptr);
+  destroy(device_, timestamps_, statistics_, pool_);
 }
 
 void Recorder::begin_commands() {
@@ -168,7 +180,8 @@ void Recorder::pass(std::string name, PassStage stage, std::span<const ResourceU
   device_.set_last_pass(name);
   device_.begin_label(commands_, name);
   // Before the barriers: changing layouts and waiting for caches is part of what a pass costs.
-  vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, timestamps_, 2 * index);
+  const bool timestamps = device_.info().timestamp_ms > 0.0;
+  if (timestamps) vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, timestamps_, 2 * index);
   barriers(uses);
   bool graphics = false;
   for (const auto& use : uses) graphics |= use.use == Use::depth_write || use.use == Use::colour_write;
@@ -180,7 +193,7 @@ void Recorder::pass(std::string name, PassStage stage, std::span<const ResourceU
   commands.device_ = &device_;
   record(commands);
   if (graphics) vkCmdEndQuery(commands_, statistics_, index);
-  vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, timestamps_, 2 * index + 1);
+  if (timestamps) vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, timestamps_, 2 * index + 1);
   copy_draw_counts(commands);
   device_.end_label(commands_);
 
@@ -229,16 +242,21 @@ void Recorder::collect(FrameResult& result) {
   passes_.clear();
   const auto count = static_cast<uint32_t>(result.passes.size());
   if (count == 0) return;
+  const double tick_ms = device_.info().timestamp_ms;
   std::vector<uint64_t> ticks(size_t{2} * count);
-  vk_check(vkGetQueryPoolResults(device_.handle(), timestamps_, 0, 2 * count, ticks.size() * 8, ticks.data(), 8,
-                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-           "vkGetQueryPoolResults(timestamps)");
+  if (tick_ms > 0.0) {
+    vk_check(vkGetQueryPoolResults(device_.handle(), timestamps_, 0, 2 * count, ticks.size() * 8, ticks.data(), 8,
+                                   VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+             "vkGetQueryPoolResults(timestamps)");
+  }
+  // Only so many bits of a timestamp count: the difference is right beyond where they wrap around, too.
+  const uint64_t mask = timestamp_mask(device_.physical());
+  const auto elapsed_ms = [&](uint64_t from, uint64_t to) { return static_cast<double>((to - from) & mask) * tick_ms; };
   draw_counts_.invalidate();
   const auto counts = draw_counts_.mapped_as<const uint32_t>();
-  const double tick_ms = device_.info().timestamp_ms;
   for (uint32_t i = 0; i < count; ++i) {
     PassResult& pass = result.passes[i];
-    pass.gpu_ms = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]) * tick_ms;
+    pass.gpu_ms = elapsed_ms(ticks[2 * i], ticks[2 * i + 1]);
     for (uint32_t word = 0; word < count_ranges_[i].second; ++word) pass.draws += counts[count_ranges_[i].first + word];
     if (has_statistics_[i]) {
       vk_check(vkGetQueryPoolResults(device_.handle(), statistics_, i, 1, 8, &pass.triangles, 8,
@@ -246,7 +264,7 @@ void Recorder::collect(FrameResult& result) {
                "vkGetQueryPoolResults(statistics)");
     }
   }
-  result.gpu_ms = static_cast<double>(ticks[2 * count - 1] - ticks[0]) * tick_ms;
+  result.gpu_ms = elapsed_ms(ticks[0], ticks[2 * count - 1]);
 }
 
 void run_once(Device& device, const std::function<void(VkCommandBuffer)>& record) {
