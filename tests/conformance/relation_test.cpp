@@ -71,6 +71,9 @@ TEST(Relation, EveryBiasTakesAcneAway) {
     report(bias, with);
     EXPECT_LT(amount(with.false_shadow), 0.2 * amount(none.false_shadow)) << bias;
   }
+  const auto by_default = error_of(view, "single/hard", {k_size});
+  report("default", by_default);
+  EXPECT_LT(amount(by_default.false_shadow), 0.1 * amount(none.false_shadow));
   // The receiver's plane puts a lit receiver exactly at the stored depth, where rounding decides: it needs a trace of constant
   // bias beside it.
   constexpr std::string_view k_trace = "bias.constant=0.05";
@@ -111,6 +114,32 @@ TEST(Relation, WithoutTheAlphaTestBarsBecomeASheet) {
   fmt::print("chart/fence: false shadow {:.5f} with the alpha test, {:.5f} without\n", right, wrong);
   EXPECT_LT(right, 0.01);
   EXPECT_GT(wrong, right + 0.05);
+}
+
+// Mipmaps answer for the whole pixel: they are farther from the ray through its middle, and nearer to the mean of many rays.
+TEST(Relation, MipsAreTheMeanOfThePixel) {
+  constexpr uint32_t k_finer = 4;
+  constexpr uvec2 k_pixels = {160, 120};
+  View& view = courtyard(k_pixels);
+  const ReferenceResult& rays = test::hard_reference(courtyard(k_finer * k_pixels));
+  std::vector<float> mean(k_pixels.x * k_pixels.y);
+  std::vector<uint8_t> whole = test::hard_reference(view).receiver;
+  for (size_t i = 0; i < rays.visibility.size(); ++i) {
+    const size_t x = i % (k_finer * k_pixels.x) / k_finer, y = i / (k_finer * k_pixels.x) / k_finer, pixel = y * k_pixels.x + x;
+    mean[pixel] += rays.visibility[i] / static_cast<float>(k_finer * k_finer);
+    whole[pixel] = whole[pixel] && rays.receiver[i];
+  }
+  for (const std::string filter : {"vsm", "evsm", "msm"}) {
+    double mae[2];
+    for (const bool mips : {false, true}) {
+      const auto& spec = find_technique("single/" + filter);
+      const std::string assignment = fmt::format("{}.mips={}", filter, mips);
+      const auto mask = test::run_technique(view, spec, test::settings_of(spec, {assignment})).mask;
+      mae[mips] = visibility_error(mask, mean, whole).mae;
+    }
+    fmt::print("single/{}, courtyard, against the mean of {} rays a pixel: mae {:.5f}, with mips {:.5f}\n", filter, k_finer * k_finer, mae[0], mae[1]);
+    EXPECT_LT(mae[1], 0.85 * mae[0]) << filter;
+  }
 }
 
 // A lamp among its casters has its near plane close by, and its depths far away are a millimetre apart: as much as the default bias.
