@@ -46,10 +46,15 @@ CasterDraws::CasterDraws(Device& device, const GpuScene& scene, const std::strin
   chunk_counts_ = Buffer(device, name + " chunk counts", options_.layers * chunks * sizeof(uint32_t));
   count_ = make_compute_pipeline(device, "frame/cull_casters.comp", {0});
   write_ = make_compute_pipeline(device, "frame/cull_casters.comp", {1});
+  clipped_ = make_pipelines(false);
+  if (options_.depth_clamp) clamped_ = make_pipelines(true);
+}
 
+CasterDraws::DrawPipelines CasterDraws::make_pipelines(bool depth_clamp) const {
+  DrawPipelines pipelines;
   GraphicsPipelineInfo info;
   info.depth_compare = VK_COMPARE_OP_LESS;
-  info.depth_clamp = options_.depth_clamp;
+  info.depth_clamp = depth_clamp;
   info.samples = options_.samples;
   if (options_.object_ids) info.colour_formats = {VK_FORMAT_R32_UINT}, info.constants = {options_.item_ids};
   if (options_.path == LayeringPath::multiview) info.view_mask = (1u << options_.layers) - 1u;
@@ -66,8 +71,9 @@ CasterDraws::CasterDraws(Device& device, const GpuScene& scene, const std::strin
       info.geometry = "frame/caster_paraboloid.geom";
       info.fragment = fmt::format("frame/caster_paraboloid{}{}.frag", masked ? "_masked" : "", options_.object_ids ? "_id" : "");
     }
-    (masked ? masked_ : opaque_) = make_graphics_pipeline(device, info);
+    (masked ? pipelines.masked : pipelines.opaque) = make_graphics_pipeline(*device_, info);
   }
+  return pipelines;
 }
 
 void CasterDraws::record(Recorder& recorder, const std::string& prefix, const LightViews& views, CasterCulling culling, bool front_face_culling,
@@ -111,6 +117,7 @@ void CasterDraws::record_layers(Recorder& recorder, const std::string& name, con
     uint32_t stride, layers;
     SceneData scene;
   };
+  const DrawPipelines& pipelines = options_.depth_clamp && !views.clip_near ? clamped_ : clipped_;
   const bool whole = layer_count > 1;
   const bool per_layer = draw_layout(options_.path) == k_draws_per_layer;
   std::vector<ResourceUse> uses = {{*views.buffer, Use::graphics_read}, {draws_, Use::indirect_read}, {counts_, Use::indirect_read}, {map, Use::depth_write}};
@@ -125,7 +132,7 @@ void CasterDraws::record_layers(Recorder& recorder, const std::string& name, con
     commands.begin_rendering({map.info().width, map.info().height}, colours, depth, multiview ? 1 : layer_count,
                              multiview ? (1u << layer_count) - 1u : 0u);
     for (const bool masked : {false, true}) {
-      commands.bind(masked ? masked_ : opaque_);
+      commands.bind(masked ? pipelines.masked : pipelines.opaque);
       commands.push(Arguments{views.address() + uint64_t{views.stride} * first_layer, views.stride, layer_count, scene_->data()});
       for (uint32_t bucket = 0; bucket < k_bucket_count; ++bucket) {
         if (((bucket & Bucket::k_masked) != 0) != masked || list.begin[bucket] == list.end[bucket]) continue;

@@ -26,12 +26,13 @@ struct LightViews {
   const Buffer* buffer = nullptr;
   size_t offset = 0;  // bytes to the first
   uint32_t stride = 0, layers = 0;
+  bool clip_near = false;  // what lies before a near plane is left out in spite of CasterDrawOptions::depth_clamp
   uint64_t address() const { return buffer->address() + offset; }
 };
 
 struct CasterDrawOptions {
   LayeringPath path = LayeringPath::per_layer;
-  bool depth_clamp = false;
+  bool depth_clamp = false;  // what lies before a near plane is drawn onto it
   uint32_t layers = 1;
   uint32_t samples = 1;      // of the depth map
   bool paraboloid = false;   // every view is one: triangles are intersected texel by texel instead of bent at their vertices (path: geometry)
@@ -58,7 +59,13 @@ class CasterDraws {
   const GpuScene* scene_;
   CasterDrawOptions options_;
   Buffer draws_, counts_, chunk_counts_;
-  Pipeline count_, write_, opaque_, masked_;
+  struct DrawPipelines {
+    Pipeline opaque, masked;
+  };
+  DrawPipelines make_pipelines(bool depth_clamp) const;
+
+  Pipeline count_, write_;
+  DrawPipelines clipped_, clamped_;  // clamped_: only with depth_clamp
 };
 
 }  // namespace gnomon

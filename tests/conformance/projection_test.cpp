@@ -268,6 +268,34 @@ TEST(Projection, LightsFromEverywhere) {
   }
 }
 
+// Plates a hand's width and three metres behind the aperture; along the light the floor reaches so deep that a thousandth of it is more
+// than that hand.
+TEST(Projection, NothingBehindAProjectorCasts) {
+  Light projector = test::make_light(LightKind::projector, {0.5f, -1, 0.2f}, {0, 0, 0}, 8.0f);
+  projector.beam_radius = 3.0f;
+  std::vector<MeshPart> parts = {test::floor_part(300.0f), test::box_part({-1, 0.5f, -1}, {1, 1.5f, 1})};
+  vec3 x, y;
+  orthonormal_basis(projector.direction, x, y);
+  for (const float behind : {0.05f, 3.0f}) {
+    const vec3 centre = projector.position - behind * projector.direction;
+    MeshPart plate = part_of(0);
+    add_quad(plate, centre - 4.0f * (x + y), centre + 4.0f * (x - y), centre + 4.0f * (x + y), centre - 4.0f * (x - y), {0, 0}, {1, 1});
+    parts.push_back(std::move(plate));
+  }
+  Scene scene = test::scene_with(std::move(parts));
+  scene.cameras.push_back(look_at("beside", {6, 5, 6}, {0, 0.5f, 0}, 50.0));
+  scene.lights.push_back(projector);
+  View view(std::move(scene), {160, 120});
+  for (const auto& spec : all_techniques()) {
+    if (!spec.name.ends_with("/hard") || !spec.supports(LightKind::projector)) continue;
+    EXPECT_LT(measure(view, spec.name, {}).mae, 0.02) << spec.name;
+  }
+  for (const std::string_view near : {"cascaded.near=clamp", "cascaded.near=slice"}) {
+    EXPECT_LT(measure(view, "cascaded/hard", {near}).mae, 0.02) << near;
+    EXPECT_LT(measure(view, "cascaded/hard", {near, "cascaded.warp=trapezoidal"}).mae, 0.02) << near << ", warped";
+  }
+}
+
 TEST(Projection, LookingAlongTheLight) {
   Scene scene = load_scene("courtyard");
   const Box bounds = scene.bounds();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gnomon {
 
@@ -77,10 +78,14 @@ std::pair<float, float> distance_range(const vec3& position, float light_range, 
   return {near, far};
 }
 
-std::pair<float, float> depth_range(const Box& casters_in_light, const Box& receivers_in_light) {
-  const float near = std::min(casters_in_light.min.z, receivers_in_light.max.z), far = receivers_in_light.max.z;
+float light_start(const LightFrame& frame, const Light& light) {
+  return light.kind == LightKind::projector ? frame.to_light(light.position).z : std::numeric_limits<float>::lowest();
+}
+
+std::pair<float, float> depth_range(const Box& casters_in_light, const Box& receivers_in_light, float start) {
+  const float far = receivers_in_light.max.z, near = std::min(std::max(casters_in_light.min.z, start), far);
   const float margin = 1e-3f * std::max(far - near, 1e-3f);
-  return {near - margin, far + margin};
+  return {std::max(near - margin, start), far + margin};
 }
 
 void clip_to_beam(const LightFrame& frame, const Light& light, Box& fit) {

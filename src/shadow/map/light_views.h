@@ -28,8 +28,12 @@ ShadowView perspective_view(const vec3& position, const mat3& axes, float half_a
 // Distances from a point between which its light can meet a caster and, after it, a receiver: {near, far}, near > 0.
 std::pair<float, float> distance_range(const vec3& position, float light_range, const Box& casters, const Box& scene);
 
-// Depths along a parallel light from the first caster to the last receiver, with a margin so that neither lies on a plane.
-std::pair<float, float> depth_range(const Box& casters_in_light, const Box& receivers_in_light);
+// The depth at which a parallel light begins: what stands before a projector's aperture shadows nothing. A sun: no such depth.
+float light_start(const LightFrame& frame, const Light& light);
+
+// Depths along a parallel light from the first caster to the last receiver, with a margin so that neither lies on a plane, but not
+// before `start`.
+std::pair<float, float> depth_range(const Box& casters_in_light, const Box& receivers_in_light, float start);
 
 // The light-space box of a projector's beam (x and y); anything for a sun.
 void clip_to_beam(const LightFrame& frame, const Light& light, Box& fit);

@@ -141,7 +141,9 @@ void MapTechnique::record(Recorder& recorder, const Frame& frame, size_t light) 
 
 void MapTechnique::record_map(Recorder& recorder, const Frame& frame, size_t light) {
   projection_->record_views(recorder, frame, frame.lights()[light], views_);
-  const LightViews views = {&views_, sizeof(ShadowMapData), sizeof(ShadowView), projection_->layers()};
+  // What stands behind a projector must not be drawn onto its near plane.
+  const bool clip_near = frame.lights()[light].kind == LightKind::projector;
+  const LightViews views = {&views_, sizeof(ShadowMapData), sizeof(ShadowView), projection_->layers(), clip_near};
   draws_->record(recorder, projection_id_, views, static_cast<CasterCulling>(submission_.culling), bias_.front_face_culling != 0, depth_,
                  filter_->object_ids() ? &object_ids_ : nullptr);
   if (history_ > 0.0f && !filter_->blends_history()) depth_history_.record(recorder, drawn());

@@ -19,6 +19,7 @@ class Projection {
   // Constant between rebuilds.
   virtual uint32_t map_size() const = 0;  // texels along a side
   virtual uint32_t layers() const = 0;    // at most k_max_layers
+  // Casters before a view's near plane are drawn onto it; not under a projector, where they may stand behind the light.
   virtual bool depth_clamp() const { return false; }
   // All views are paraboloids, and casters are drawn without bending (CasterDrawOptions::paraboloid).
   virtual bool exact_paraboloid() const { return false; }

@@ -79,12 +79,12 @@ std::vector<vec3> clipped_corners(const std::array<vec3, 8>& slice, std::span<co
 }
 
 WarpFit warp_fit(const CameraData& camera, const Light& light, const Box& casters, const Box& scene, float from_m, float to_m) {
-  WarpFit fit = {axes_along_view(light.direction, camera.forward_ws), {}, {}, {}, 0.0f, 0.0f, 0.0f, 0.0f, camera.orthographic != 0};
+  WarpFit fit = {axes_along_view(light.direction, camera.forward_ws), {}, {}, {}, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, camera.orthographic != 0};
   const mat3& axes = fit.axes.world_from_light;
   Box shadowed = fit.axes.bounds(casters);
   fit.first_caster_z = shadowed.min.z;
-  // What stands behind a projector shadows nothing.
-  if (light.kind == LightKind::projector) fit.first_caster_z = std::max(fit.first_caster_z, fit.axes.to_light(light.position).z);
+  fit.start_z = light_start(fit.axes, light);
+  fit.first_caster_z = std::max(fit.first_caster_z, fit.start_z);
   clip_to_beam(fit.axes, light, shadowed);
   std::vector<vec4> planes;
   add_box_planes(mat3(1.0f), scene, 3, planes);
@@ -140,7 +140,7 @@ ShadowView warped_view(const WarpFit& fit, float apex_distance, uint32_t size, f
   extent *= double(size) / std::max(double(size) - 2.0 * double(border), 0.5 * double(size));
   const dvec2 middle = 0.5 * (low + high);
   const double margin = 1e-3 * std::max(double(far) - double(fit.first_caster_z), 1e-3);
-  const double near = double(fit.first_caster_z) - margin, depth = double(far) + margin - near;
+  const double near = std::max(double(fit.first_caster_z) - margin, double(fit.start_z)), depth = double(far) + margin - near;
 
   // Rows, applied to (x, y, z, 1) of the axes.
   const dvec4 w(0.0, bend, 0.0, 1.0 - bend * origin.y);

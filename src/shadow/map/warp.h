@@ -22,6 +22,7 @@ struct WarpFit {
   Box bounds;              // of the body
   vec3 eye;                // in axes
   float first_caster_z;
+  float start_z;           // light_start()
   float sine;              // of the angle between light and view
   float nearest_m, farthest_m;  // view depths of the body
   bool orthographic;       // of the viewer's camera: there is no perspective to follow

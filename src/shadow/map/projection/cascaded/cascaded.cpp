@@ -53,9 +53,8 @@ class Cascaded : public Projection {
 
   std::vector<ShadowView> views(const Frame& frame, const Light& light) const override {
     const LightFrame light_frame(light.direction);
-    Bounds bounds = {light_frame.bounds(frame.scene().bounds()), light_frame.bounds(frame.scene().caster_bounds())};
-    // What stands behind a projector shadows nothing.
-    if (light.kind == LightKind::projector) bounds.casters.min.z = std::max(bounds.casters.min.z, light_frame.to_light(light.position).z);
+    const Bounds bounds = {light_frame.bounds(frame.scene().bounds()), light_frame.bounds(frame.scene().caster_bounds()),
+                           light_start(light_frame, light), light.kind == LightKind::projector};
     uint32_t count = layers();
     const Splits splits = find_splits(frame, count);
     std::vector<ShadowView> views;
@@ -75,6 +74,8 @@ class Cascaded : public Projection {
  private:
   struct Bounds {
     Box scene, casters;  // in light space
+    float start;         // light_start()
+    bool projector;
   };
 
   // Distances between which the view is cut: {near, far}. Independent of where the camera stands within the scene, or in steps.
@@ -129,16 +130,17 @@ class Cascaded : public Projection {
     }
   }
 
-  bool nested() const { return params_.nested && params_.selection == selection_map && params_.warp == warp_none; }
+  bool nested() const { return params_.nested && params_.selection == selection_map && params_.warp == warp_none && params_.near == near_casters; }
 
-  // A depth range that the depth clamp shortens at its near end.
+  // From the first caster, or from the slice: nearer casters are then clamped onto the map, or lost (near=slice). Under a projector
+  // nothing is clamped, because what would be clamped may stand behind the light.
   std::pair<float, float> depths(const Bounds& bounds, float slice_near, float slice_far) const {
     Box receivers = bounds.scene;
     // A cascade that serves a column alone serves all of it.
     if (!nested()) receivers.max.z = std::min(receivers.max.z, std::max(slice_far, bounds.scene.min.z));
     Box casters = bounds.casters;
-    if (params_.near == near_clamp) casters.min.z = std::max(casters.min.z, std::min(slice_near, receivers.max.z));
-    return depth_range(casters, receivers);
+    if (params_.near == near_slice || (params_.near == near_clamp && !bounds.projector)) casters.min.z = std::max(casters.min.z, std::min(slice_near, receivers.max.z));
+    return depth_range(casters, receivers, bounds.start);
   }
 
   ShadowView sphere_view(const Frame& frame, const LightFrame& light_frame, const Bounds& bounds, float from, float to) const {

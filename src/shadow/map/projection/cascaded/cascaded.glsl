@@ -6,7 +6,8 @@ bool inside_layer(ShadowView view, vec3 position_ws, out float to_edge) {
   vec3 ndc = clip.xyz / max(clip.w, 1e-6);  // warped maps: behind the apex lies outside
   float edge = 1.0 - 2.0 * view.border / view.size;
   to_edge = (edge - max(abs(ndc.x), abs(ndc.y))) / max(edge, 1e-3);
-  return to_edge >= 0.0 && ndc.z <= 1.0;
+  // Before the near plane the map does not know what casts.
+  return to_edge >= 0.0 && ndc.z >= 0.0 && ndc.z <= 1.0;
 }
 
 uint two_layers(uint layer, float share, out uint layers[2], out float weights[2]) {

@@ -210,7 +210,7 @@ void make_views() {
   // Kernels read beyond the samples, where the same surfaces lie deeper.
   high.z = data.scene_max.z;
   float margin = 1e-3 * max(high.z - low.z, 1e-3);
-  low.z -= margin, high.z += margin;
+  low.z = max(low.z - margin, data.start), high.z += margin;
   write_view(layer, low, high, interval);
 }
 

@@ -38,7 +38,7 @@ class SampleDistribution : public Projection {
   std::vector<ShadowView> views(const Frame& frame, const Light& light) const override {
     const LightFrame light_frame(light.direction);
     const Box scene = light_frame.bounds(frame.scene().bounds());
-    const auto [near, far] = depth_range(light_frame.bounds(frame.scene().caster_bounds()), scene);
+    const auto [near, far] = depth_range(light_frame.bounds(frame.scene().caster_bounds()), scene, light_start(light_frame, light));
     return std::vector<ShadowView>(layers(), orthographic_view(light_frame, scene, near, far, map_size()));
   }
 
@@ -72,11 +72,11 @@ class SampleDistribution : public Projection {
 
   SampleDistributionInput make_input(const Frame& frame, const Light& light) const {
     const LightFrame light_frame(light.direction);
-    Box scene = light_frame.bounds(frame.scene().bounds()), casters = light_frame.bounds(frame.scene().caster_bounds());
-    // What stands behind a projector shadows nothing.
-    if (light.kind == LightKind::projector) casters.min.z = std::max(casters.min.z, light_frame.to_light(light.position).z);
-    clip_to_beam(light_frame, light, scene);
     SampleDistributionInput input = {};
+    Box scene = light_frame.bounds(frame.scene().bounds()), casters = light_frame.bounds(frame.scene().caster_bounds());
+    input.start = light_start(light_frame, light);
+    casters.min.z = std::max(casters.min.z, input.start);
+    clip_to_beam(light_frame, light, scene);
     input.light_x_ws = light_frame.world_from_light[0];
     input.light_y_ws = light_frame.world_from_light[1];
     input.light_z_ws = light_frame.world_from_light[2];

@@ -14,6 +14,7 @@ struct SampleDistributionInput {
   LightShape shape;
   uint count, size, tight;
   float lambda, border;
+  float start;  // light_start()
 };
 
 // Floats as uints in the same order, so that atomic minima and maxima compare them. Independent of the order of threads.

@@ -32,11 +32,9 @@ class Single : public Projection {
  private:
   ShadowView parallel_view(const Frame& frame, const Light& light) const {
     const LightFrame light_frame(light.direction);
-    Box casters = light_frame.bounds(frame.scene().caster_bounds());
+    const Box casters = light_frame.bounds(frame.scene().caster_bounds());
     Box fit = light_frame.bounds(frame.scene().bounds());
-    // What stands behind a projector shadows nothing.
-    if (light.kind == LightKind::projector) casters.min.z = std::max(casters.min.z, light_frame.to_light(light.position).z);
-    const auto [near, far] = depth_range(casters, fit);
+    const auto [near, far] = depth_range(casters, fit, light_start(light_frame, light));
     clip_to_beam(light_frame, light, fit);
     if (params_.fit == fit_view) clip_to_view(frame, light_frame, fit);
     // Nothing beyond the casters' own outline can be shadowed.
