@@ -17,6 +17,44 @@ Box world_bounds(const DrawItem& item, std::span<const vec3> positions, std::spa
   return box;
 }
 
+struct Group {
+  std::vector<Box> members;
+  Box bounds, centres;
+  void add(const Box& box) {
+    members.push_back(box);
+    bounds.add(box);
+    centres.add(box.centre());
+  }
+  // What halving it could shorten; 0: nothing.
+  float longest_side() const {
+    const vec3 extent = bounds.extent(), between = centres.extent();
+    return between == vec3(0.0f) ? 0.0f : std::max({extent.x, extent.y, extent.z});
+  }
+};
+
+// The group with the longest side is halved, while there may be more groups.
+std::vector<Box> make_groups(std::span<const CasterRange> ranges) {
+  std::vector<Group> groups(1);
+  for (const CasterRange& range : ranges) groups[0].add({range.bounds_min_ws, range.bounds_max_ws});
+  while (groups.size() < k_caster_groups) {
+    Group& whole = *std::max_element(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.longest_side() < b.longest_side(); });
+    if (whole.longest_side() == 0.0f) break;
+    const vec3 extent = whole.centres.extent();
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    Group halves[2];
+    for (const Box& box : whole.members) halves[box.centre()[axis] > whole.centres.centre()[axis]].add(box);
+    // Two floats that are neighbours have no middle between them.
+    if (halves[0].members.empty() || halves[1].members.empty()) break;
+    whole = std::move(halves[0]);
+    groups.push_back(std::move(halves[1]));
+  }
+  std::vector<Box> boxes;
+  for (const Group& group : groups) {
+    if (!group.members.empty()) boxes.push_back(group.bounds);
+  }
+  return boxes;
+}
+
 }  // namespace
 
 CasterList make_caster_list(Device& device, std::span<const DrawItem> items, std::span<const vec3> positions, std::span<const uint32_t> indices,
@@ -50,6 +88,7 @@ CasterList make_caster_list(Device& device, std::span<const DrawItem> items, std
   list.chunk_count = static_cast<uint32_t>(chunks.size());
   list.ranges = upload_vector(device, clusters ? "caster clusters" : "casters", ranges);
   list.chunks = upload_vector(device, "caster chunks", chunks);
+  list.groups = make_groups(ranges);
   return list;
 }
 

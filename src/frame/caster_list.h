@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/maths.h"
 #include "frame/glsl/caster_data.glsl"
 #include "gpu/buffer.h"
 
@@ -16,7 +17,10 @@ struct CasterList {
   std::array<uint32_t, k_bucket_count> begin = {}, end = {};
   uint32_t range_count = 0, chunk_count = 0;
   Buffer ranges, chunks;
+  // Boxes that hold all ranges, at most k_caster_groups: few enough for the CPU to look at in every frame, however large the scene.
+  std::vector<Box> groups;
 };
+inline constexpr size_t k_caster_groups = 64;
 
 // Triangles of a cluster: consecutive ones of the cache-optimised index buffer lie close together.
 inline constexpr uint32_t k_cluster_triangles = 128;

@@ -153,6 +153,55 @@ TEST(Cascades, TexelSnappingKeepsAnswersWhileTheViewerMoves) {
   EXPECT_GT(crawling.flips, still.answers / 1000);
 }
 
+struct Reach {
+  uint32_t cascades;
+  float distance;
+};
+
+Reach reach_of(View& view, double adapt) {
+  const auto& info = projection_named("cascaded");
+  const auto views = info.make(params_of(info, {{"adapt", adapt}}))->views(view.frame(), view.scene().lights[0]);
+  return {static_cast<uint32_t>(views.size()), views.back().interval_m.y};
+}
+
+// Boxes on a wide floor that casts nothing: the maps end with the shadows that can be seen, and lose none.
+TEST(Cascades, MapsReachAsFarAsShadowsDo) {
+  Scene scene = test::scene_with({test::floor_part(500.0f), test::box_part({-2, 0, -20}, {2, 6, -16}), test::box_part({30, 0, 40}, {34, 40, 44})});
+  scene.objects[0].casts = false;
+  const std::pair<const char*, Camera> cameras[] = {{"level", look_at("level", {0, 3, 10}, {0, 2, -10}, 60.0)},
+                                                    {"down", look_at("down", {0, 30, 30}, {0, 0, 0}, 60.0)},
+                                                    {"away", look_at("away", {0, 3, -60}, {0, 2, -90}, 60.0)},
+                                                    {"sky", look_at("sky", {0, 3, 10}, {0, 60, 0}, 40.0)}};
+  scene.cameras = {cameras[0].second};
+  // The second box stands behind the viewer and casts into the view under the first sun. The third sun is low before the viewer.
+  const vec3 suns[] = {{-0.4f, -0.5f, -1}, {0.3f, -1, 0.2f}, {0.1f, -0.2f, 1}};
+  for (const vec3& sun : suns) {
+    scene.lights = {test::make_sun(sun)};
+    View view(scene, {128, 96});
+    for (const auto& [name, camera] : cameras) {
+      view.frame().set_camera(camera);
+      view.draw();
+      const auto points = view.frame().read_points();
+      const auto truth = EmbreeReference(view.scene()).trace(points, view.frame().camera().eye_ws, view.scene().lights[0], false, 1, 1);
+      float farthest = 0.0f;
+      for (size_t i = 0; i < points.size(); ++i) {
+        if (!truth.receiver[i] || truth.visibility[i] > 0.0f) continue;
+        farthest = std::max(farthest, glm::dot(points[i].position_ws - view.frame().camera().eye_ws, view.frame().camera().forward_ws));
+      }
+      const Reach adapted = reach_of(view, 1), whole = reach_of(view, 0);
+      fmt::print("{}, sun {} {} {}: shadows to {:.1f} m; {} cascades to {:.1f} m, without adapt {} to {:.1f} m\n", name, sun.x, sun.y, sun.z, farthest,
+                 adapted.cascades, adapted.distance, whole.cascades, whole.distance);
+      EXPECT_GE(adapted.distance, farthest);
+      EXPECT_LT(adapted.distance, 0.5f * whole.distance);
+      if (test::count(truth.receiver) == 0) continue;  // the sky
+      const auto& spec = find_technique("cascaded/hard");
+      const double mae = visibility_error(test::run_technique(view, spec, spec.default_settings()).mask, truth.visibility, truth.receiver).mae;
+      const auto all = test::run_technique(view, spec, test::settings_of(spec, {"cascaded.adapt=false"})).mask;
+      EXPECT_LE(mae, visibility_error(all, truth.visibility, truth.receiver).mae + 1e-3) << name;
+    }
+  }
+}
+
 // Each face of the cube is what a spot light looking that way would see.
 TEST(Cube, FacesAreSpotMaps) {
   View& view = test::kept_view("busy point", [] { return test::busy(LightKind::point); }, {160, 120});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/light_shape.h"
 #include "shadow/map/light_views.h"
 #include "shadow/map/splits.h"
 #include "shadow/map/warp.h"
@@ -18,7 +19,8 @@ constexpr const char* k_manual =
     "Zhang et al. 2006; Dimitrov 2007. Slices end at uniform, logarithmic, mixed (cascaded.lambda) or given distances. fit=sphere with\n"
     "stabilise keeps every edge still while the viewer moves; fit=box wastes fewer texels and shimmers. One depth pass for each\n"
     "cascade, less what culling leaves out. Seams between cascades show where the filter's width jumps: raise cascaded.blend.\n"
-    "selection=map takes the finest map that holds a point, which is often finer than that of its distance.";
+    "selection=map takes the finest map that holds a point, which is often finer than that of its distance. adapt ends the last map where\n"
+    "the last shadow can be seen (from boxes around groups of casters: a ground that casts counts), with as many maps as that needs.";
 
 struct Sphere {
   vec3 centre;
@@ -56,7 +58,7 @@ class Cascaded : public Projection {
     const Bounds bounds = {light_frame.bounds(frame.scene().bounds()), light_frame.bounds(frame.scene().caster_bounds()),
                            light_start(light_frame, light), light.kind == LightKind::projector};
     uint32_t count = layers();
-    const Splits splits = find_splits(frame, count);
+    const Splits splits = find_splits(frame, light, count);
     std::vector<ShadowView> views;
     for (uint32_t i = 0; i < count; ++i) {
       ShadowView view = params_.warp != warp_none ? warped_slice(frame, light, splits[i], splits[i + 1])
@@ -87,26 +89,44 @@ class Cascaded : public Projection {
     return {std::max(camera.near_m, far * 1e-5f), far};
   }
 
-  // The farthest a caster can be seen, rounded up in steps of the square root of two, so that maps keep their size while the viewer
-  // moves a little.
-  float needed_distance(const Frame& frame, float near, float far) const {
+  // The farthest that a visible point can be shadowed: where the view meets what lies behind a group of casters, as the light sees it.
+  // Zhang et al. ask for the farthest visible caster; one outside the view may cast into it, and so it is the shadow that counts.
+  float farthest_shadow(const Frame& frame, const Light& light, float near, float far) const {
+    const GpuScene& scene = frame.scene();
+    // Penumbras and kernels reach beyond a caster's own outline.
+    const float reach = light_shape(light, true).emitter_radius * 2.0f * scene.bounds().radius() +
+                        params_.border * 2.0f * slice_sphere(frame.camera(), near, far).radius / static_cast<float>(params_.size);
     float farthest = near;
-    for (int i = 0; i < 8; ++i) {
-      farthest = std::max(farthest, glm::dot(frame.scene().bounds().corner(i) - frame.camera().eye_ws, frame.camera().forward_ws));
+    for (Box group : scene.casters(true).groups) {
+      group.min -= reach, group.max += reach;
+      farthest = std::max(farthest, warp_fit(frame.camera(), light, group, scene.bounds(), near, far).farthest_m);
     }
+    return farthest;
+  }
+
+  // Rounded up in steps of the square root of two, so that maps keep their size while the viewer moves a little.
+  float needed_distance(const Frame& frame, const Light& light, float near, float far) const {
+    const float farthest = farthest_shadow(frame, light, near, far);
     float distance = far;
     while (distance * 0.70710678f > farthest && distance * 0.70710678f > near * 2.0f) distance *= 0.70710678f;
     return distance;
   }
 
-  // Worst-case splits decide how many cascades this frame needs; these then share what is needed (Zhang et al. 2006, section 4.2).
-  Splits find_splits(const Frame& frame, uint32_t& count) const {
+  // The splits of the whole distance decide how many cascades this frame needs; these then share what is needed (Zhang et al. 2006,
+  // section 4.2). As few as leave no cascade longer than it is without adapt: under a mixed rule, one that ends in time is not enough.
+  Splits find_splits(const Frame& frame, const Light& light, uint32_t& count) const {
     const auto [near, far] = distance_range(frame);
     float needed = far;
     if (params_.adapt) {
-      needed = needed_distance(frame, near, far);
+      needed = needed_distance(frame, light, near, far);
+      const auto as_fine = [&](uint32_t used) {
+        for (uint32_t i = 1; i <= used; ++i) {
+          if (split_at(near, needed, i, used) > 1.001f * split_at(near, far, i, count)) return false;
+        }
+        return true;
+      };
       uint32_t used = 1;
-      while (used < count && split_at(near, far, used, count) < needed) ++used;
+      while (used < count && !as_fine(used)) ++used;
       count = used;
     }
     Splits splits = {};
