@@ -7,6 +7,9 @@
 #include <map>
 #include <string>
 
+#include "base/error.h"
+#include "base/file.h"
+
 namespace gnomon {
 namespace {
 
@@ -28,10 +31,16 @@ std::map<std::string, std::string> read_cache() {
   return lines;
 }
 
+// Read once: a process that measures beside this one must not change how its next map is drawn.
+std::map<std::string, std::string>& known_paths() {
+  static std::map<std::string, std::string> lines = read_cache();
+  return lines;
+}
+
 }  // namespace
 
 std::optional<LayeringPath> measured_layering_path(const DeviceInfo& device) {
-  const auto lines = read_cache();
+  const auto& lines = known_paths();
   const auto found = lines.find(key_of(device));
   if (found == lines.end()) return std::nullopt;
   for (const auto path : {LayeringPath::per_layer, LayeringPath::vertex_layer, LayeringPath::geometry, LayeringPath::multiview}) {
@@ -40,14 +49,18 @@ std::optional<LayeringPath> measured_layering_path(const DeviceInfo& device) {
   return std::nullopt;
 }
 
-// A cache that cannot be written is none: the next run measures again.
 void store_layering_path(const DeviceInfo& device, LayeringPath path) {
+  known_paths()[key_of(device)] = layering_path_name(path);
   auto lines = read_cache();
   lines[key_of(device)] = layering_path_name(path);
-  std::error_code ignored;
-  std::filesystem::create_directories(cache_file().parent_path(), ignored);
-  std::ofstream file(cache_file());
-  for (const auto& [key, value] : lines) file << key << '|' << value << '\n';
+  std::string text;
+  for (const auto& [key, value] : lines) text += key + '|' + value + '\n';
+  try {
+    make_folder(cache_file().parent_path());
+    write_file(cache_file(), text);
+  } catch (const Error&) {
+    // A cache that cannot be written is none: the next run measures again.
+  }
 }
 
 LayeringPath fastest_layering_path(const DeviceInfo& device) { return measured_layering_path(device).value_or(LayeringPath::per_layer); }
