@@ -68,6 +68,16 @@ std::vector<vec3> clipped_corners(const std::array<vec3, 8>& slice, std::span<co
     faces.push_back(std::move(polygon));
   }
   for (const vec4& plane : planes) {
+    // Most planes leave all of it, or nothing.
+    bool all_inside = true, any_inside = false;
+    for (const Polygon& face : faces) {
+      for (const dvec3& p : face) {
+        const bool inside = glm::dot(dvec4(plane), dvec4(p, 1.0)) >= 0.0;
+        all_inside = all_inside && inside, any_inside = any_inside || inside;
+      }
+    }
+    if (all_inside) continue;
+    if (!any_inside) return {};
     Polygon cap;
     for (Polygon& face : faces) face = clipped(face, dvec4(plane), cap);
     faces.push_back(ordered_around(std::move(cap), glm::normalize(dvec3(plane))));

@@ -91,25 +91,44 @@ class Cascaded : public Projection {
 
   // The farthest that a visible point can be shadowed: where the view meets what lies behind a group of casters, as the light sees it.
   // Zhang et al. ask for the farthest visible caster; one outside the view may cast into it, and so it is the shadow that counts.
-  float farthest_shadow(const Frame& frame, const Light& light, float near, float far) const {
-    const GpuScene& scene = frame.scene();
-    // Penumbras and kernels reach beyond a caster's own outline.
-    const float reach = light_shape(light, true).emitter_radius * 2.0f * scene.bounds().radius() +
-                        params_.border * 2.0f * slice_sphere(frame.camera(), near, far).radius / static_cast<float>(params_.size);
-    float farthest = near;
-    for (Box group : scene.casters(true).groups) {
-      group.min -= reach, group.max += reach;
-      farthest = std::max(farthest, warp_fit(frame.camera(), light, group, scene.bounds(), near, far).farthest_m);
-    }
-    return farthest;
-  }
-
   // Rounded up in steps of the square root of two, so that maps keep their size while the viewer moves a little.
   float needed_distance(const Frame& frame, const Light& light, float near, float far) const {
-    const float farthest = farthest_shadow(frame, light, near, far);
-    float distance = far;
-    while (distance * 0.70710678f > farthest && distance * 0.70710678f > near * 2.0f) distance *= 0.70710678f;
-    return distance;
+    const CameraData& camera = frame.camera();
+    const Box& scene = frame.scene().bounds();
+    const auto in_steps = [&](float farthest) {
+      float distance = far;
+      while (distance * 0.70710678f > farthest && distance * 0.70710678f > near * 2.0f) distance *= 0.70710678f;
+      return distance;
+    };
+    // Penumbras and kernels reach beyond a caster's own outline.
+    const float reach = light_shape(light, true).emitter_radius * 2.0f * scene.radius() +
+                        params_.border * 2.0f * slice_sphere(camera, near, far).radius / static_cast<float>(params_.size);
+    // Clipping the view takes some 20 us: bounds first, so that only groups that may be the farthest need it.
+    const WarpFit visible = warp_fit(camera, light, scene, scene, near, far);
+    const vec3 forward = visible.axes.to_light(camera.forward_ws);
+    struct Candidate {
+      float bound;
+      Box group;
+    };
+    std::vector<Candidate> candidates;
+    for (Box group : frame.scene().casters(true).groups) {
+      group.min -= reach, group.max += reach;
+      Box shadowed = visible.axes.bounds(group);
+      shadowed.max.z = visible.bounds.max.z;
+      shadowed.min = glm::max(shadowed.min, visible.bounds.min), shadowed.max = glm::min(shadowed.max, visible.bounds.max);
+      if (glm::any(glm::greaterThan(shadowed.min, shadowed.max))) continue;
+      float bound = near;
+      for (int i = 0; i < 8; ++i) bound = std::max(bound, glm::dot(shadowed.corner(i) - visible.eye, forward));
+      candidates.push_back({bound, group});
+    }
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) { return a.bound > b.bound; });
+    float farthest = near;
+    int clips = 32;  // the rest by their bounds
+    for (const auto& [bound, group] : candidates) {
+      if (bound <= in_steps(farthest)) break;
+      farthest = std::max(farthest, clips-- > 0 ? warp_fit(camera, light, group, scene, near, far).farthest_m : bound);
+    }
+    return in_steps(farthest);
   }
 
   // The splits of the whole distance decide how many cascades this frame needs; these then share what is needed (Zhang et al. 2006,
