@@ -37,7 +37,8 @@ std::vector<Box> make_groups(std::span<const CasterRange> ranges) {
   std::vector<Group> groups(1);
   for (const CasterRange& range : ranges) groups[0].add({range.bounds_min_ws, range.bounds_max_ws});
   while (groups.size() < k_caster_groups) {
-    Group& whole = *std::max_element(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.longest_side() < b.longest_side(); });
+    const auto shorter = [](const Group& a, const Group& b) { return a.longest_side() < b.longest_side(); };
+    Group& whole = *std::max_element(groups.begin(), groups.end(), shorter);
     if (whole.longest_side() == 0.0f) break;
     const vec3 extent = whole.centres.extent();
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;

@@ -166,7 +166,8 @@ Reach reach_of(View& view, double adapt) {
 
 // Boxes on a wide floor that casts nothing: the maps end with the shadows that can be seen, and lose none.
 TEST(Cascades, MapsReachAsFarAsShadowsDo) {
-  Scene scene = test::scene_with({test::floor_part(500.0f), test::box_part({-2, 0, -20}, {2, 6, -16}), test::box_part({30, 0, 40}, {34, 40, 44})});
+  Scene scene = test::scene_with({test::floor_part(500.0f), test::box_part({-2, 0, -20}, {2, 6, -16}),
+                                  test::box_part({30, 0, 40}, {34, 40, 44})});
   scene.objects[0].casts = false;
   const std::pair<const char*, Camera> cameras[] = {{"level", look_at("level", {0, 3, 10}, {0, 2, -10}, 60.0)},
                                                     {"down", look_at("down", {0, 30, 30}, {0, 0, 0}, 60.0)},
@@ -182,15 +183,16 @@ TEST(Cascades, MapsReachAsFarAsShadowsDo) {
       view.frame().set_camera(camera);
       view.draw();
       const auto points = view.frame().read_points();
-      const auto truth = EmbreeReference(view.scene()).trace(points, view.frame().camera().eye_ws, view.scene().lights[0], false, 1, 1);
+      const vec3 eye = view.frame().camera().eye_ws, forward = view.frame().camera().forward_ws;
+      const auto truth = EmbreeReference(view.scene()).trace(points, eye, view.scene().lights[0], false, 1, 1);
       float farthest = 0.0f;
       for (size_t i = 0; i < points.size(); ++i) {
         if (!truth.receiver[i] || truth.visibility[i] > 0.0f) continue;
-        farthest = std::max(farthest, glm::dot(points[i].position_ws - view.frame().camera().eye_ws, view.frame().camera().forward_ws));
+        farthest = std::max(farthest, glm::dot(points[i].position_ws - eye, forward));
       }
       const Reach adapted = reach_of(view, 1), whole = reach_of(view, 0);
-      fmt::print("{}, sun {} {} {}: shadows to {:.1f} m; {} cascades to {:.1f} m, without adapt {} to {:.1f} m\n", name, sun.x, sun.y, sun.z, farthest,
-                 adapted.cascades, adapted.distance, whole.cascades, whole.distance);
+      fmt::print("{}, sun {} {} {}: shadows to {:.1f} m; {} cascades to {:.1f} m, without adapt {} to {:.1f} m\n", name, sun.x, sun.y, sun.z,
+                 farthest, adapted.cascades, adapted.distance, whole.cascades, whole.distance);
       EXPECT_GE(adapted.distance, farthest);
       EXPECT_LT(adapted.distance, 0.5f * whole.distance);
       if (test::count(truth.receiver) == 0) continue;  // the sky

@@ -1,5 +1,5 @@
-// Each failure that a technique is known for is visible in a scene and in a number, against rays; and so is what mends it. Elsewhere: acne,
-// peter-panning and lost cut-outs (relation_test.cpp), edges that crawl while the viewer moves (cascade_test.cpp), objects that do
+// Each failure that a technique is known for is visible in a scene and in a number, against rays; and so is what mends it. Elsewhere:
+// acne, peter-panning and lost cut-outs (relation_test.cpp), edges that crawl while the viewer moves (cascade_test.cpp), objects that do
 // not shadow themselves (percentage_closer_test.cpp), bent triangles of paraboloids (projection_test.cpp).
 #include <algorithm>
 #include <cmath>
@@ -27,13 +27,14 @@ VisibilityError error_of(View& view, const std::string& technique, Assignments a
 double amount(const OneSidedError& error) { return error.area * error.severity; }
 
 void report(const std::string& name, const VisibilityError& error) {
-  fmt::print("{:44}: mae {:.5f}, false shadow {:.5f}, false light {:.5f}\n", name, error.mae, amount(error.false_shadow), amount(error.false_light));
+  fmt::print("{:44}: mae {:.5f}, false shadow {:.5f}, false light {:.5f}\n", name, error.mae, amount(error.false_shadow),
+             amount(error.false_light));
 }
 
 // --- Light bleeding
 
-// Plants before the rock that shades a cave's wall: two casters of different depths. Where every texel of a wide kernel is nearer to the light
-// than the receiver, comparison finds no light at all: what a variance map finds there is bleeding, and no soft edge.
+// Plants before the rock that shades a cave's wall: two casters of different depths. Where every texel of a wide kernel is nearer to the
+// light than the receiver, comparison finds no light at all: what a variance map finds there is bleeding, and no soft edge.
 TEST(Failure, VarianceMapsBleedWhereShadowsOverlap) {
   View& view = test::kept_view("cave", [] {
     Scene scene = load_scene("hexworld", {{"radius", 20.0}, {"detail", 0.3}});
@@ -48,7 +49,8 @@ TEST(Failure, VarianceMapsBleedWhereShadowsOverlap) {
   ASSERT_GT(test::count(dark), 1000u);
   const auto bled = [&](const std::string& technique, Assignments assignments) {
     const auto error = visibility_error(mask_of(view, technique, assignments), truth.visibility, dark);
-    fmt::print("{}, where no texel is lit: {:.2f} % too bright, by {:.4f}\n", technique, 100.0 * error.false_light.area, error.false_light.severity);
+    fmt::print("{}, where no texel is lit: {:.2f} % too bright, by {:.4f}\n", technique, 100.0 * error.false_light.area,
+               error.false_light.severity);
     return amount(error.false_light);
   };
   const double bleeding = bled("single/vsm", {k_size, "vsm.blur=4", "vsm.bleeding=0"});
@@ -125,7 +127,8 @@ TEST(Failure, CastersBehindTheViewerAreLostByMapsThatHoldOnlyTheView) {
 
 // A slab high above the view, and a pillar within it whose top lies before the near planes of the nearest slices.
 Scene slab_above() {
-  Scene scene = test::scene_with({test::floor_part(40.0f), test::box_part({-3, 30, -14}, {3, 31, -6}), test::box_part({4, 0, -20}, {6, 25, -18})});
+  Scene scene = test::scene_with({test::floor_part(40.0f), test::box_part({-3, 30, -14}, {3, 31, -6}),
+                                  test::box_part({4, 0, -20}, {6, 25, -18})});
   scene.cameras.push_back(look_at("below", {0, 2, 6}, {0, 1, -10}, 60.0));
   scene.lights.push_back(test::make_sun({0.1f, -1, 0.15f}));
   return scene;

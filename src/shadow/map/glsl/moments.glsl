@@ -7,7 +7,8 @@
 const float k_most_anisotropy = 16.0;
 
 vec4 moments_tap(uint map_image, MapSample at, vec2 uv, float level) {
-  return textureLod(sampler2DArray(images_2d_array[nonuniformEXT(map_image)], samplers[k_sampler_linear_clamp]), vec3(uv, float(at.layer)), level);
+  return textureLod(sampler2DArray(images_2d_array[nonuniformEXT(map_image)], samplers[k_sampler_linear_clamp]),
+                    vec3(uv, float(at.layer)), level);
 }
 
 // Bilinear; with mips the mean over the pixel's footprint: trilinear taps along its longer side, as wide as its shorter one. The

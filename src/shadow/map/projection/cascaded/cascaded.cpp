@@ -169,7 +169,9 @@ class Cascaded : public Projection {
     }
   }
 
-  bool nested() const { return params_.nested && params_.selection == selection_map && params_.warp == warp_none && params_.near == near_casters; }
+  bool nested() const {
+    return params_.nested && params_.selection == selection_map && params_.warp == warp_none && params_.near == near_casters;
+  }
 
   // From the first caster, or from the slice: nearer casters are then clamped onto the map, or lost (near=slice). Under a projector
   // nothing is clamped, because what would be clamped may stand behind the light.
