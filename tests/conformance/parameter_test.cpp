@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "stage.h"
 
@@ -11,8 +12,10 @@ namespace {
 using test::TechniqueRun;
 using test::View;
 
-constexpr double k_gib = 1024.0 * 1024.0 * 1024.0;
+constexpr double k_mib = 1024.0 * 1024.0, k_most_mib = 256.0;
 constexpr uvec2 k_size = {64, 48};
+constexpr double k_map_size = 256.0;  // texels: maps of their usual size cost a CPU driver seconds
+constexpr int k_frames = 3;           // enough for what shows only over time
 
 struct Parameter {
   std::string id, name;
@@ -25,7 +28,9 @@ std::vector<Parameter> all_parameters() {
   std::map<std::string, Parameter> unique;
   for (const auto& spec : all_techniques()) {
     for (const auto& [id, table] : spec.tables) {
-      for (const ParamInfo& info : table) unique.try_emplace(fmt::format("{}.{}", id, info.name), Parameter{id, std::string(info.name), info});
+      for (const ParamInfo& info : table) {
+        unique.try_emplace(fmt::format("{}.{}", id, info.name), Parameter{id, std::string(info.name), info});
+      }
     }
   }
   std::vector<Parameter> list;
@@ -39,6 +44,23 @@ std::vector<const TechniqueSpec*> techniques_with(const std::string& id) {
     for (const auto& [table_id, table] : spec.tables) {
       if (table_id == id) list.push_back(&spec);
     }
+  }
+  return list;
+}
+
+std::string part(const TechniqueSpec& spec, bool filter) {
+  const size_t slash = spec.name.find('/');
+  return slash == std::string::npos ? spec.name : filter ? spec.name.substr(slash + 1) : spec.name.substr(0, slash);
+}
+
+// Of those, enough that every projection and every filter is among them: what many pairs share need not be tried in all.
+std::vector<const TechniqueSpec*> representatives(const std::string& id) {
+  std::set<std::string> seen;
+  std::vector<const TechniqueSpec*> list;
+  for (const TechniqueSpec* spec : techniques_with(id)) {
+    const bool new_projection = seen.insert("projection " + part(*spec, false)).second;
+    const bool new_filter = seen.insert("filter " + part(*spec, true)).second;
+    if (new_projection || new_filter) list.push_back(spec);
   }
   return list;
 }
@@ -62,6 +84,17 @@ View& busy_view(const TechniqueSpec& spec) {
 
 SettingsMap with(SettingsMap settings, const std::string& id, std::string_view name, double value) {
   settings.find(id)->second.set_number(name, value, fmt::format("{}.{}", id, name));
+  return settings;
+}
+
+// The defaults, with a smaller map.
+SettingsMap base_settings(const TechniqueSpec& spec) {
+  SettingsMap settings = spec.default_settings();
+  for (const auto& [id, table] : spec.tables) {
+    for (const ParamInfo& info : table) {
+      if (info.name == "size" && info.update == ParamUpdate::rebuild) settings = with(settings, id, info.name, k_map_size);
+    }
+  }
   return settings;
 }
 
@@ -89,17 +122,41 @@ void expect_sound(const std::vector<float>& mask, const std::string& what) {
 // What a parameter can change: the answer, the work, the memory.
 std::string work_of(const TechniqueRun& run) {
   std::string text = fmt::format("{} bytes;", run.bytes);
-  for (const PassResult& pass : run.frame.passes) text += fmt::format(" {} {} {} {};", pass.name, pass.draws, pass.dispatches, pass.triangles);
+  for (const PassResult& pass : run.frame.passes) {
+    text += fmt::format(" {} {} {} {};", pass.name, pass.draws, pass.dispatches, pass.triangles);
+  }
   return text;
 }
 bool differ(const TechniqueRun& a, const TechniqueRun& b) { return a.mask != b.mask || work_of(a) != work_of(b); }
 
-// Nothing where the device lacks what the settings need (sample counts of a map, say): that is refused with a reason, as it must be.
-std::optional<TechniqueRun> run_or_refusal(const TechniqueSpec& spec, const SettingsMap& settings) {
+// The last of several frames: the light stands still, then moves. The passes of all frames are in `frame`.
+TechniqueRun run_frames(View& view, const TechniqueSpec& spec, const SettingsMap& settings) {
+  TechniqueRun run;
+  const auto technique = spec.make(view.context(), settings);
+  for (int frame = 0; frame < k_frames; ++frame) {
+    std::vector<Light> lights = view.scene().lights;
+    if (frame == k_frames - 1) lights[0].position.x += 0.1f, lights[0].direction = glm::normalize(lights[0].direction + vec3(0.05f, 0, 0));
+    view.frame().set_lights(lights);
+    view.frame().set_camera(view.scene().cameras.at(0));
+    const FrameResult result = test::run_passes([&](Recorder& recorder) {
+      view.frame().record_surface(recorder);
+      technique->record(recorder, view.frame(), 0);
+    });
+    run.frame.passes.insert(run.frame.passes.end(), result.passes.begin(), result.passes.end());
+  }
+  run.mask = view.frame().read_mask(0);
+  view.frame().set_lights(view.scene().lights);
+  view.frame().set_camera(view.scene().cameras.at(0));
+  return run;
+}
+
+// Nothing where the device lacks what the settings need (sample counts of a map, say), or where they cannot work together (a history
+// of objects): that is refused with a reason, as it must be.
+std::optional<TechniqueRun> run_or_refusal(const TechniqueSpec& spec, const SettingsMap& settings, bool over_frames = false) {
   try {
-    return test::run_technique(busy_view(spec), spec, settings);
+    return over_frames ? run_frames(busy_view(spec), spec, settings) : test::run_technique(busy_view(spec), spec, settings);
   } catch (const Error& error) {
-    if (error.code() != ExitCode::device) throw;
+    if (error.code() != ExitCode::device && error.code() != ExitCode::usage) throw;
     fmt::print("refused: {}\n", error.what());
     return std::nullopt;
   }
@@ -108,19 +165,21 @@ std::optional<TechniqueRun> run_or_refusal(const TechniqueSpec& spec, const Sett
 class EveryParameter : public testing::TestWithParam<Parameter> {};
 
 // The largest value of a parameter that decides about memory is reached by doubling, and left out where it would need more
-// than a GiB.
+// than k_most_mib.
 void try_large_values(const TechniqueSpec& spec, const Parameter& parameter) {
-  double value = std::max(parameter.info.default_value, 1.0), bytes = 0.0, growth = 1.0;
+  double value = std::max(std::min(parameter.info.default_value, k_map_size), 1.0), bytes = 0.0, growth = 1.0;
+  const double first = value;
   while (true) {
-    const auto run = test::run_technique(busy_view(spec), spec, with(spec.default_settings(), parameter.id, parameter.name, value));
+    const auto run = test::run_technique(busy_view(spec), spec, with(base_settings(spec), parameter.id, parameter.name, value));
     expect_sound(run.mask, fmt::format("{}, {}.{}={}", spec.name, parameter.id, parameter.name, value));
     if (bytes > 0.0) growth = static_cast<double>(run.bytes) / bytes;
     bytes = static_cast<double>(run.bytes);
     if (value == parameter.info.max) return;
     const double next = std::min(2.0 * value, parameter.info.max);
-    const double predicted = bytes * std::max(growth, value == parameter.info.default_value ? 4.0 : 1.0);
-    if (predicted > 1.01 * k_gib) {
-      fmt::print("{}: {}.{}={} and more is left out: it would need some {:.1f} GiB\n", spec.name, parameter.id, parameter.name, next, predicted / k_gib);
+    const double predicted = bytes * std::max(growth, value == first ? 4.0 : 1.0);
+    if (predicted > 1.01 * k_most_mib * k_mib) {
+      fmt::print("{}: {}.{}={} and more is left out: it would need some {:.0f} MiB\n", spec.name, parameter.id, parameter.name, next,
+                 predicted / k_mib);
       return;
     }
     value = next;
@@ -132,7 +191,7 @@ TEST_P(EveryParameter, IsSoundAtBothEnds) {
   for (const TechniqueSpec* spec : two_techniques_with(parameter.id)) {
     const bool grows = parameter.info.update == ParamUpdate::rebuild && parameter.info.type == gnomon::ParamType::int_;
     const auto run_at = [&](double value) {
-      const auto run = run_or_refusal(*spec, with(spec->default_settings(), parameter.id, parameter.name, value));
+      const auto run = run_or_refusal(*spec, with(base_settings(*spec), parameter.id, parameter.name, value));
       if (run) expect_sound(run->mask, fmt::format("{}, {}.{}={}", spec->name, parameter.id, parameter.name, value));
     };
     run_at(parameter.info.min);
@@ -145,33 +204,40 @@ TEST_P(EveryParameter, IsSoundAtBothEnds) {
 }
 
 // True when some value changes something, with the other settings as given.
-bool changes_something(const TechniqueSpec& spec, const Parameter& parameter, const SettingsMap& others) {
-  const auto before = run_or_refusal(spec, others);
+bool changes_something(const TechniqueSpec& spec, const Parameter& parameter, const SettingsMap& others, bool over_frames = false) {
+  const auto before = run_or_refusal(spec, others, over_frames);
   if (!before) return false;
   for (const double value : values_of(parameter.info)) {
     if (parameter.info.update == ParamUpdate::rebuild && value > 2.0 * std::max(parameter.info.default_value, 1.0)) continue;
-    const auto after = run_or_refusal(spec, with(others, parameter.id, parameter.name, value));
+    const auto after = run_or_refusal(spec, with(others, parameter.id, parameter.name, value), over_frames);
     if (after && differ(*before, *after)) return true;
   }
   return false;
 }
 
 // A parameter may depend on another one (a limit, a choice of mode): each other is tried at its own values too.
-bool is_alive(const TechniqueSpec& spec, const Parameter& parameter) {
-  const SettingsMap defaults = spec.default_settings();
-  if (changes_something(spec, parameter, defaults)) return true;
-  // Its own table first: that is where the other one is most often.
-  auto tables = spec.tables;
-  std::stable_partition(tables.begin(), tables.end(), [&](const auto& table) { return table.first == parameter.id; });
-  for (const auto& [id, table] : tables) {
-    for (const ParamInfo& other : table) {
-      if (id == parameter.id && other.name == parameter.name) continue;
-      for (const double value : values_of(other)) {
-        if (other.update == ParamUpdate::rebuild && value > other.default_value && other.type == ParamType::int_) continue;
-        if (!changes_something(spec, parameter, with(defaults, id, other.name, value))) continue;
-        fmt::print("{}: {}.{} acts only with {}.{}={}\n", spec.name, parameter.id, parameter.name, id, other.name, value);
-        return true;
-      }
+bool acts_beside_another(const TechniqueSpec& spec, const Parameter& parameter) {
+  const SettingsMap defaults = base_settings(spec);
+  struct Other {
+    std::string id;
+    const ParamInfo* info;
+  };
+  std::vector<Other> others;
+  for (const auto& [id, table] : spec.tables) {
+    for (const ParamInfo& info : table) {
+      if (id != parameter.id || info.name != parameter.name) others.push_back({id, &info});
+    }
+  }
+  // Modes of its own table first, then the rest of it: that is where the other one is most often.
+  const auto own = std::stable_partition(others.begin(), others.end(), [&](const Other& other) { return other.id == parameter.id; });
+  const auto is_mode = [](const Other& other) { return other.info->type == ParamType::choice || other.info->type == ParamType::bool_; };
+  std::stable_partition(others.begin(), own, is_mode);
+  for (const Other& other : others) {
+    for (const double value : values_of(*other.info)) {
+      if (other.info->update == ParamUpdate::rebuild && value > other.info->default_value && other.info->type == ParamType::int_) continue;
+      if (!changes_something(spec, parameter, with(defaults, other.id, other.info->name, value))) continue;
+      fmt::print("{}: {}.{} acts only with {}.{}={}\n", spec.name, parameter.id, parameter.name, other.id, other.info->name, value);
+      return true;
     }
   }
   return false;
@@ -179,12 +245,15 @@ bool is_alive(const TechniqueSpec& spec, const Parameter& parameter) {
 
 TEST_P(EveryParameter, IsAlive) {
   const Parameter& parameter = GetParam();
-  // By itself in any technique first: trying it beside every other parameter takes long.
-  for (const TechniqueSpec* spec : techniques_with(parameter.id)) {
-    if (changes_something(*spec, parameter, spec->default_settings())) return;
+  // By itself first, then over frames: trying it beside every other parameter takes long.
+  for (const TechniqueSpec* spec : representatives(parameter.id)) {
+    if (changes_something(*spec, parameter, base_settings(*spec))) return;
   }
-  for (const TechniqueSpec* spec : techniques_with(parameter.id)) {
-    if (is_alive(*spec, parameter)) return;
+  for (const TechniqueSpec* spec : two_techniques_with(parameter.id)) {
+    if (changes_something(*spec, parameter, base_settings(*spec), true)) return;
+  }
+  for (const TechniqueSpec* spec : two_techniques_with(parameter.id)) {
+    if (acts_beside_another(*spec, parameter)) return;
   }
   ADD_FAILURE() << parameter.id << "." << parameter.name << " changes neither mask nor work nor memory of any technique";
 }
@@ -193,7 +262,7 @@ TEST_P(EveryParameter, TakesEffectAsItsTableSays) {
   const Parameter& parameter = GetParam();
   for (const TechniqueSpec* spec : two_techniques_with(parameter.id)) {
     View& view = busy_view(*spec);
-    const auto defaults = spec->default_settings();
+    const auto defaults = base_settings(*spec);
     for (const double value : values_of(parameter.info)) {
       if (parameter.info.update == ParamUpdate::rebuild) continue;
       const auto changed = with(defaults, parameter.id, parameter.name, value);
@@ -205,7 +274,8 @@ TEST_P(EveryParameter, TakesEffectAsItsTableSays) {
         technique->record(recorder, view.frame(), 0);
       });
       EXPECT_EQ(view.frame().read_mask(0), fresh.mask)
-          << spec->name << ": " << parameter.id << "." << parameter.name << "=" << value << " is called live, but a new technique gives another mask";
+          << spec->name << ": " << parameter.id << "." << parameter.name << "=" << value
+          << " is called live, but a new technique gives another mask";
     }
   }
 }

@@ -133,8 +133,8 @@ TEST(Temporal, MapsThatFollowTheViewerAreFoundAgain) {
       if (i > 0) last_difference += mean_difference(expected, last) / 7.0;
       last = expected;
     }
-    fmt::print("{}: after 8 frames of walking the mask differs by {:.5f} from the one without history; from frame to frame by {:.5f}\n", name,
-               difference, last_difference);
+    fmt::print("{}: after 8 frames of walking the mask differs by {:.5f} from the one without history; from frame to frame by {:.5f}\n",
+               name, difference, last_difference);
     EXPECT_LT(difference, 0.004) << name;
   }
   view.frame().set_camera(start);
