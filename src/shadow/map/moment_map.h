@@ -32,7 +32,7 @@ class MomentMap {
   // How a kernel of so many taps is cut into threads.
   struct Shape {
     uint32_t taps, before, columns, rows, share, threads;
-    uint32_t columns_of_group() const { return share ? threads - (taps - 1) - 2 : threads * columns; }
+    uint32_t columns_of_group() const { return threads * columns - (share ? taps + 1 : 0); }
     bool operator==(const Shape&) const = default;
   };
   Shape shape(uint32_t radius, bool prefilter) const;

@@ -31,10 +31,11 @@ const int k_margin = 1;  // texels beyond those encoded, whose depths give the s
 const int k_margin = 0;
 #endif
 const int k_wide = k_columns + k_taps - 1;       // texels of a row that a thread blurs
-const int k_own = k_share ? 1 : k_wide;          // of them, those that it encodes
+const int k_own = k_share ? k_columns : k_wide;  // of them, those that it encodes
 const int k_kept = k_own + 2 * k_margin;
-shared MOMENTS shared_row[k_share ? 2 * k_threads : 1];
-shared float shared_depth[k_share && k_margin > 0 ? 2 * k_threads : 1];
+const int k_row = k_threads * k_columns;         // texels of a row that a group encodes
+shared MOMENTS shared_row[k_share ? 2 * k_row + k_wide : 1];  // the last threads read beyond, and write nothing
+shared float shared_depth[k_share && k_margin > 0 ? 2 * k_row : 1];
 
 // Read once: the same for every texel of the group.
 vec4 numerator, denominator;  // as ShadowView's, of (texel, depth, 1) instead of (ndc, 1)
@@ -52,9 +53,9 @@ float linear_at(ivec2 texel, int s) {
   ivec2 inside = clamp(texel, ivec2(0), ivec2(int(size) - 1));
   float depth = k_samples == 1 ? texelFetch(images_2d_array[depth_image], ivec3(inside, layer), 0).x
                                : texelFetch(images_2d_ms_array[depth_image], ivec3(inside, layer), s).x;
-  vec4 at = vec4(vec2(inside), depth, 1.0);
-  float linear = dot(numerator, at);
-  if (!affine) linear /= dot(denominator, at);
+  // What depends on the column alone first: it stays the same on the way down.
+  float linear = (numerator.w + numerator.x * float(inside.x)) + numerator.y * float(inside.y) + numerator.z * depth;
+  if (!affine) linear /= dot(denominator, vec4(inside, depth, 1.0));
   return clamp(linear, 0.0, 1.0);
 }
 
@@ -120,11 +121,11 @@ void main() {
   depth_range_m = views.v[layer].depth_range_m;
   filter_params = map_filter.v;
   int lane = int(gl_LocalInvocationIndex);
-  // Threads at the ends of a group that shares only encode; the first and the last do not even see both their neighbours.
+  // Texels at the ends of a row that is shared are only encoded; the first and the last do not even see both their neighbours.
   const int k_edge = k_share ? 1 : 0;
-  const int writers = k_share ? k_threads - (k_taps - 1) - 2 * k_edge : k_threads;
-  ivec2 first = ivec2((int(gl_WorkGroupID.x) * writers + lane) * k_columns, int(gl_WorkGroupID.y) * k_rows);
-  bool writes = lane < writers;
+  const int written = k_share ? k_row - (k_taps - 1) - 2 * k_edge : k_row;
+  int column = lane * k_columns;  // of the group's
+  ivec2 first = ivec2(int(gl_WorkGroupID.x) * written + column, int(gl_WorkGroupID.y) * k_rows);
   // The first texel that the thread encodes.
   ivec2 texel = first - k_before - ivec2(k_edge, 0);
   if (k_margin > 0 && k_samples == 1) {
@@ -133,26 +134,38 @@ void main() {
       below[i] = linear_at(texel + ivec2(i - k_margin, 0), 0);
     }
   }
+  float next[k_own];
+  if (k_share && k_margin > 0 && k_samples == 1) {
+    for (int j = 0; j < k_own; ++j) next[j] = linear_at(texel + ivec2(j, 1), 0);
+  }
   MOMENTS window[k_columns * k_taps];  // of each column, the last rows, blurred along the row
   for (int i = 0; i < k_rows + k_taps - 1; ++i, ++texel.y) {
-    int parity = (i & 1) * k_threads;
+    int shared_column = (i & 1) * k_row + column;
     if (k_margin > 0 && k_samples == 1) {
       for (int j = 0; j < k_kept; ++j) {
         above[j] = here[j];
         here[j] = below[j];
-        if (!k_share || j == k_margin) below[j] = linear_at(texel + ivec2(j - k_margin, 1), 0);
+        if (!k_share) below[j] = linear_at(texel + ivec2(j - k_margin, 1), 0);
+      }
+    }
+    if (k_share && k_margin > 0 && k_samples == 1) {
+      // A row ahead: the next one is on its way while this one is worked on.
+      for (int j = 0; j < k_own; ++j) {
+        below[j + k_margin] = next[j];
+        next[j] = linear_at(texel + ivec2(j, 2), 0);
       }
     }
     MOMENTS row[k_wide];
     if (k_share) {
-      shared_row[parity + lane] = encode_texel(texel, k_margin);
-      if (k_margin > 0) shared_depth[parity + lane] = below[k_kept / 2];
+      for (int j = 0; j < k_own; ++j) {
+        shared_row[shared_column + j] = encode_texel(texel + ivec2(j, 0), j + k_margin);
+        if (k_margin > 0) shared_depth[shared_column + j] = below[j + k_margin];
+      }
       barrier();
-      int from = min(lane, writers - 1);
-      for (int j = 0; j < k_wide; ++j) row[j] = shared_row[parity + from + k_edge + j];
+      for (int j = 0; j < k_wide; ++j) row[j] = shared_row[shared_column + k_edge + j];
       if (k_margin > 0) {
-        below[0] = shared_depth[parity + max(lane - 1, 0)];
-        below[k_kept - 1] = shared_depth[parity + min(lane + 1, k_threads - 1)];
+        below[0] = shared_depth[shared_column - (column > 0 ? 1 : 0)];
+        below[k_kept - 1] = shared_depth[shared_column + (column + k_own < k_row ? k_own : 0)];
       }
     } else {
       for (int j = 0; j < k_own; ++j) row[j] = encode_texel(texel + ivec2(j, 0), j + k_margin);
@@ -163,7 +176,7 @@ void main() {
       BLUR(row, c, window[c * k_taps + k_taps - 1])
       MOMENTS result;
       BLUR(window, c * k_taps, result)
-      if (writes && y >= first.y && first.x + c < int(size) && y < int(size)) {
+      if (column + c < written && y >= first.y && first.x + c < int(size) && y < int(size)) {
         imageStore(storage_images[target], ivec3(first.x + c, y, layer), stored(result, filter_params));
       }
     }
