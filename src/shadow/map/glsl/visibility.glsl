@@ -77,7 +77,7 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
     at.linear_gradient = 2.0 * change.xy + change.z * at.depth_gradient;
     // Metres to the map's depth, along the plane.
     float steepness_m = length(at.linear_gradient) * view.depth_range_m;
-    at.plane_move = steepness_m > 0.0 ? bias.plane_limit * length(at.depth_gradient) / steepness_m : 0.0;
+    at.plane_move = steepness_m > 0.0 ? bias.plane_limit * at.texel_m * length(at.depth_gradient) / steepness_m : 0.0;
   }
   at.footprint_x = at.footprint_y = vec2(0.0);
   if (receiver.pixel_x_ws != vec3(0.0)) {
