@@ -47,10 +47,10 @@ void GpuScene::upload_textures() {
 
 void GpuScene::upload_materials() {
   std::vector<MaterialData> list;
-  const auto sampler = [&](int texture, MaterialFilter filter) {
+  const auto sampler = [&](int texture, uint32_t filtering) {
     if (texture == k_no_texture) return 0u;
     const Texture& t = scene_.textures[static_cast<size_t>(texture)];
-    return Bindless::material_sampler(filter, static_cast<uint32_t>(t.wrap_u), static_cast<uint32_t>(t.wrap_v));
+    return material_sampler(filtering, static_cast<uint32_t>(t.wrap_u), static_cast<uint32_t>(t.wrap_v));
   };
   const auto index = [&](int texture) {
     return texture == k_no_texture ? k_no_texture_index : textures_[static_cast<size_t>(texture)].sampled();
@@ -65,9 +65,9 @@ void GpuScene::upload_materials() {
     data.base_texture = index(material.base_colour_texture);
     data.normal_texture = index(material.normal_texture);
     // A CPU draws half as fast again without anisotropy. Where the texture decides what is seen, every device has to agree.
-    const MaterialFilter filter = device_.info().software ? MaterialFilter::trilinear : MaterialFilter::anisotropic;
-    data.base_sampler = sampler(material.base_colour_texture, material.masked ? MaterialFilter::anisotropic : filter);
-    data.normal_sampler = sampler(material.normal_texture, filter);
+    const uint32_t filtering = device_.info().software ? k_material_trilinear : k_material_anisotropic;
+    data.base_sampler = sampler(material.base_colour_texture, material.masked ? k_material_anisotropic : filtering);
+    data.normal_sampler = sampler(material.normal_texture, filtering);
     if (material.base_colour_texture != k_no_texture) {
       const Texture& texture = scene_.textures[static_cast<size_t>(material.base_colour_texture)];
       data.base_wrap_u = static_cast<uint32_t>(texture.wrap_u);

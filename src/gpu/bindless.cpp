@@ -98,13 +98,13 @@ void Bindless::create_samplers(float max_anisotropy) {
   VkSamplerCreateInfo anisotropic = base;
   anisotropic.anisotropyEnable = max_anisotropy > 1.0f;
   anisotropic.maxAnisotropy = max_anisotropy;
-  infos.push_back(anisotropic);  // anisotropic_clamp
   constexpr VkSamplerAddressMode k_wraps[] = {VK_SAMPLER_ADDRESS_MODE_REPEAT, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                                               VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT};
   VkSamplerCreateInfo nearest = base;
   nearest.magFilter = nearest.minFilter = VK_FILTER_NEAREST;
   nearest.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
-  for (VkSamplerCreateInfo info : {anisotropic, base, nearest}) {  // by MaterialFilter
+  GNOMON_ASSERT(infos.size() == k_sampler_material_first);
+  for (VkSamplerCreateInfo info : {anisotropic, base, nearest}) {  // by k_material_*
     for (const auto u : k_wraps) {
       for (const auto v : k_wraps) {
         info.addressModeU = u;

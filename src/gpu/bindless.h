@@ -7,15 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "gpu/glsl/samplers.glsl"
 #include "gpu/vulkan.h"
 
 namespace gnomon {
-
-// Samplers that every shader can name; the order is that of glsl/bindless.glsl.
-enum class SamplerKind : uint32_t { nearest_clamp, linear_clamp, depth_compare_linear, depth_compare_nearest, anisotropic_clamp, material_first };
-
-// nearest: for gathers, which a CPU driver does slowly through the others.
-enum class MaterialFilter : uint32_t { anisotropic, trilinear, nearest };
 
 class Bindless {
  public:
@@ -35,11 +30,6 @@ class Bindless {
   enum class Kind : uint32_t { material, frame, storage };
   uint32_t add(Kind kind, VkImageView view);
   void remove(Kind kind, uint32_t index) { slots_[static_cast<size_t>(kind)].free.push_back(index); }
-
-  // Of material textures with the given wrap modes (0 repeat, 1 clamp, 2 mirror).
-  static uint32_t material_sampler(MaterialFilter filter, uint32_t wrap_u, uint32_t wrap_v) {
-    return static_cast<uint32_t>(SamplerKind::material_first) + static_cast<uint32_t>(filter) * 9 + wrap_u * 3 + wrap_v;
-  }
 
  private:
   struct Slots {

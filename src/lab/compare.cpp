@@ -234,7 +234,7 @@ std::unique_ptr<ResultFolder> compare(Device& device, const CompareOptions& opti
     if (const auto run = unfinished_run(options.output)) log_warning("{}: the unfinished run is dropped; --resume would continue it", run->folder.string());
   }
   auto folder = std::make_unique<ResultFolder>(options.output, options.resume);
-  if (options.resume && folder->kept_count() == 0) log_info("{}: holds no unfinished run: all is measured", options.output.string());
+  if (options.resume && folder->kept_count() == 0) log_info("{}: holds no unfinished run: everything is measured anew", options.output.string());
   const size_t planned = specs.size() * session.chosen_lights().size();
   const InterruptScope scope;
   try {

@@ -21,6 +21,18 @@ void warn_of_suns_below_horizon(std::span<const Light> lights) {
   }
 }
 
+// Positions are 32-bit floats: far from the origin they lie on a grid, which no camera and no bias can mend.
+void warn_of_coarse_coordinates(const Scene& scene) {
+  const Box& box = scene.bounds();
+  const vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+  const float step_m = 1.2e-7f * std::max({farthest.x, farthest.y, farthest.z});
+  if (step_m > 1e-5f * box.radius()) {
+    log_warning("{}: {:.3g} m across, and up to {:.3g} m from the origin, where 32-bit numbers are {:.2g} m apart: surfaces and shadows will be coarse or "
+                "lost; move the model to the origin",
+                scene.name, 2.0f * box.radius(), box.radius() + glm::length(box.centre()), step_m);
+  }
+}
+
 }  // namespace
 
 Session::Session(Device& device, const ViewOptions& options, Settings settings)
@@ -32,6 +44,7 @@ Session::Session(Device& device, const ViewOptions& options, Settings settings)
     }
     options_.samples = offered;
   }
+  warn_of_coarse_coordinates(scene_);
   settings_.complete_scene_options(options_.scene);
   camera_ = choose_camera(scene_, options_, settings_);
   lights_ = choose_lights(scene_, options_, settings_);

@@ -72,7 +72,7 @@ void Settings::assign(std::string_view assignment, std::string_view source) {
     scene_options_[name] = number;
   } else if (const auto table = technique_tables().find(id); table != technique_tables().end()) {
     ParamBlock(table->second).set(name, value, where);  // refuses a bad value now
-    of_techniques_.push_back({id, name, value, light});
+    of_techniques_.push_back({id, name, value, light, std::string(source)});
   } else {
     fail_usage("{} {}: unknown id '{}'; valid: {}", source, assignment, id, valid_ids());
   }
@@ -140,11 +140,11 @@ void Settings::complete_scene_options(const std::string& scene) {
 }
 
 void Settings::check_used(const std::vector<const TechniqueSpec*>& techniques) const {
-  for (const auto& [id, name, value, light] : of_techniques_) {
+  for (const auto& [id, name, value, light, source] : of_techniques_) {
     const bool used = std::any_of(techniques.begin(), techniques.end(), [&](const TechniqueSpec* spec) {
       return std::any_of(spec->tables.begin(), spec->tables.end(), [&](const auto& table) { return table.first == id; });
     });
-    if (!used) fail_usage("--set {}.{}={}: no technique of this run has the part '{}'", id, name, value, id);
+    if (!used) fail_usage("{} {}.{}={}: no technique of this run has the part '{}'", source, id, name, value, id);
   }
 }
 

@@ -48,7 +48,7 @@ class Settings {
 
  private:
   struct Assignment {
-    std::string id, name, value, light;  // light: empty for all
+    std::string id, name, value, light, source;  // light: empty for all; source: where it stands, for messages
   };
   std::map<std::string, ParamBlock, std::less<>> blocks_;
   std::vector<Assignment> of_techniques_;

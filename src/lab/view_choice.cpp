@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 #include "base/error.h"
 #include "lab/lab_params.h"
@@ -74,6 +75,14 @@ Light default_sun(const Settings& settings) {
   return sun;
 }
 
+// Lights of one name become "point", "point 2", ...: every table and every message names them.
+void name_apart(std::vector<Light>& lights) {
+  std::map<std::string, int> seen;
+  for (Light& light : lights) {
+    if (const int count = ++seen[light.name]; count > 1) light.name += fmt::format(" {}", count);
+  }
+}
+
 }  // namespace
 
 void record_light(const Light& light, Settings& settings) {
@@ -132,10 +141,11 @@ std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options,
     } else if (const auto light = parse_light(text)) {
       lights.push_back(*light);
     } else {
-      fail_usage("--light {}: valid: 'sun' (placed by the light settings), 'all', a light of the scene: {}; or {}", text,
-                 names_of(scene.lights), k_light_text_help);
+      fail_usage("--light {}: valid: 'sun' (placed by the light settings), {}a light of the scene: {}; or {}", text,
+                 scene.lights.empty() ? "" : "'all', ", names_of(scene.lights), k_light_text_help);
     }
   }
+  name_apart(lights);
   for (const char* key : {"light.azimuth", "light.elevation", "light.angular_diameter"}) {
     const bool any_sun = std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
     if (settings.was_set(key) && !any_sun) fail_usage("--set {}=...: no chosen light is directional", key);

@@ -22,6 +22,8 @@ struct Arguments {
   bool resume = false;
 };
 
+bool is_measured(const nlohmann::json& line) { return line["status"] == "ok"; }
+
 // A gate for continuous integration: exit code 4 when a technique's mae is above the threshold, 3 when there is nothing to hold against
 // it. A technique that the user named must be measured under every light; of "all", those that cannot run here do not count.
 void check_threshold(const std::vector<nlohmann::json>& lines, const Arguments& arguments) {
@@ -58,8 +60,9 @@ void warn_of_repeats(const std::vector<std::string>& names) {
 // Passes measured one by one must add up to the frame measured whole (docs/measuring.md); where they do not, times are suspect.
 void report_agreement(const std::vector<nlohmann::json>& lines) {
   double worst = 0.0;
+  if (std::none_of(lines.begin(), lines.end(), is_measured)) return;
   for (const auto& line : lines) {
-    if (line["status"] != "ok") continue;
+    if (!is_measured(line)) continue;
     const double frame = line["timing"]["frame_ms"], sum = line["timing"]["sum_of_passes_ms"];
     if (frame > 0.0) worst = std::max(worst, std::abs(sum / frame - 1.0));
   }
@@ -102,6 +105,7 @@ void add_compare(CLI::App& app, const Globals& globals) {
     folder->publish();
     log_info("report: {}", std::filesystem::absolute(options.output / "report.html").string());
     if (arguments->max_error >= 0.0) check_threshold(lines, *arguments);
+    if (std::none_of(lines.begin(), lines.end(), is_measured)) fail_device("no technique could be measured; the table says why");
   });
 }
 

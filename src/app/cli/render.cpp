@@ -2,6 +2,7 @@
 #include "lab/render.h"
 
 #include <CLI/CLI.hpp>
+#include <set>
 
 #include "app/cli/command.h"
 #include "base/error.h"
@@ -18,6 +19,18 @@ struct Arguments {
   std::string path, sun_path;
   double seconds = 0.0;
 };
+
+// Whether two of them serve one kind of light: it is then open which is meant.
+bool compete(const std::vector<std::string>& techniques) {
+  std::set<LightKind> served;
+  for (const std::string& name : techniques) {
+    if (name == "all") return true;
+    for (const LightKind kind : find_technique(name).light_kinds) {
+      if (!served.insert(kind).second) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -46,7 +59,7 @@ void add_render(CLI::App& app, const Globals& globals) {
     if (command->get_option("--technique")->count() == 0) options.techniques.emplace_back("cube/pcf");  // for point lights
     const Preset preset = arguments->view.preset();
     if (command->get_option("--technique")->count() == 0 && !preset.techniques.empty()) {
-      if (preset.techniques.size() > 1) fail_usage("preset {}: has {} techniques; choose with --technique", preset.name, preset.techniques.size());
+      if (compete(preset.techniques)) fail_usage("preset {}: has {} techniques; choose with --technique", preset.name, preset.techniques.size());
       options.techniques = preset.techniques;
     }
     options.picture = arguments->picture;

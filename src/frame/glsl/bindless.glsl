@@ -1,6 +1,7 @@
 // The bindless sets (gpu/bindless.h): images and samplers by index. The same images are declared once per shape.
 #ifndef GNOMON_BINDLESS_GLSL
 #define GNOMON_BINDLESS_GLSL
+#include "gpu/glsl/samplers.glsl"
 #extension GL_EXT_nonuniform_qualifier : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_EXT_shader_image_load_formatted : require
@@ -15,14 +16,5 @@ layout(set = 1, binding = 1) uniform image2DArray storage_images[];
 layout(set = 1, binding = 1) uniform uimage2DArray storage_images_uint[];
 layout(set = 0, binding = 1) uniform sampler samplers[];
 layout(set = 0, binding = 1) uniform samplerShadow shadow_samplers[];
-
-// gpu/bindless.h: SamplerKind
-const uint k_sampler_nearest_clamp = 0u;
-const uint k_sampler_linear_clamp = 1u;
-const uint k_sampler_compare_linear = 2u;
-const uint k_sampler_compare_nearest = 3u;
-const uint k_sampler_anisotropic_clamp = 4u;
-const uint k_sampler_material_first = 5u;
-const uint k_sampler_material_nearest = 23u;
 
 #endif

@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/bindless.glsl"
+#include "frame/glsl/pixel_tile.glsl"
 #include "shadow/map/glsl/history.glsl"
 
 layout(buffer_reference, scalar) buffer Depths { float v[]; };
@@ -40,10 +41,8 @@ void main() {
     before = last_views.v[layer];
     kind = history_of(now, before);
   }
-  // A group's tile is 16 x 16 texels: reading the views costs more than a texel.
-  uvec2 first = gl_WorkGroupID.xy * 16u + gl_LocalInvocationID.xy;
   for (uint i = 0u; i < 4u; ++i) {
-    ivec3 texel = ivec3(first + 8u * uvec2(i & 1u, i >> 1u), layer);
+    ivec3 texel = ivec3(pixel_of_tile(i), layer);
     if (any(greaterThanEqual(texel.xy, ivec2(size)))) continue;
     float depth = texelFetch(images_2d_array[depth_image], texel, 0).x, found;
     uint index = index_of(texel);

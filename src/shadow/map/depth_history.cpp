@@ -1,6 +1,8 @@
 // The blend, and the copy into the depth map.
 #include "shadow/map/depth_history.h"
 
+#include "frame/glsl/pixel_tile.glsl"
+
 namespace gnomon {
 
 DepthHistory::DepthHistory(Device& device, const MapInfo& map) : name_(map.name), history_(map.history) {
@@ -28,7 +30,7 @@ void DepthHistory::record(Recorder& recorder, const DrawnMap& map) {
   recorder.pass(name_ + "/temporal", PassStage::build, uses, [&](Commands& commands) {
     commands.bind(pipeline_);
     commands.push(arguments);
-    const uint32_t tiles = (info.width + 15) / 16;
+    const uint32_t tiles = (info.width + k_pixel_tile - 1) / k_pixel_tile;
     commands.dispatch(glm::uvec3(tiles, tiles, info.layers));
   });
   recorder.pass(name_ + "/temporal_copy", PassStage::build, {{blended_, Use::copy_read}, {map.depth, Use::copy_write}},

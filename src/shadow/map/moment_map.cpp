@@ -6,12 +6,14 @@
 #include <numeric>
 #include <vector>
 
+#include "frame/glsl/pixel_tile.glsl"
+
 namespace gnomon {
 namespace {
 
 struct ConvertArguments {
   uint64_t views, params;
-  uint32_t depth_image, target, size, unused;
+  uint32_t depth_image, target, size;
   float weights[MomentMap::k_max_taps];
 };
 
@@ -93,7 +95,7 @@ void MomentMap::record_history(Recorder& recorder, const DrawnMap& drawn) {
                 [&](Commands& commands) {
                   commands.bind(blend_);
                   commands.push(arguments);
-                  const uint32_t tiles = (size + 15) / 16;
+                  const uint32_t tiles = (size + k_pixel_tile - 1) / k_pixel_tile;
                   commands.dispatch(glm::uvec3(tiles, tiles, image_.info().layers));
                 });
 }
@@ -106,7 +108,7 @@ void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radiu
                                      {info_.depth_samples, shape_.taps, shape_.before, shape_.columns, shape_.rows, shape_.share, shape_.threads});
   }
   const uint32_t size = image_.info().width;
-  ConvertArguments arguments = {drawn.views.address(), drawn.params, drawn.depth.sampled(), image_.storage(), size, 0, {}};
+  ConvertArguments arguments = {drawn.views.address(), drawn.params, drawn.depth.sampled(), image_.storage(), size, {}};
   fill_weights(radius, prefilter, arguments.weights);
   recorder.pass(name_ + "/convert", PassStage::build,
                 {{drawn.depth, Use::compute_read}, {drawn.views, Use::compute_read}, {image_, Use::compute_write}}, [&](Commands& commands) {

@@ -8,7 +8,6 @@ namespace gnomon {
 struct MomentMapInfo {
   std::string filter;            // id: the kernel is convert/<filter>.comp
   VkFormat format = VK_FORMAT_R32_SFLOAT;
-  uint32_t channels = 1;         // of the kernel's MOMENTS type
   uint32_t depth_samples = 1;
   bool mips = false;
   bool logarithms = false;       // the image holds logarithms: mips average exponentials

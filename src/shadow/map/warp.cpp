@@ -91,7 +91,7 @@ std::vector<vec3> clipped_corners(const std::array<vec3, 8>& slice, std::span<co
 WarpFit warp_fit(const CameraData& camera, const Light& light, const Box& casters, const Box& scene, float from_m, float to_m) {
   WarpFit fit = {axes_along_view(light.direction, camera.forward_ws), {}, {}, {}, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, camera.orthographic != 0};
   const mat3& axes = fit.axes.world_from_light;
-  Box shadowed = fit.axes.bounds(casters);
+  Box shadowed = fit.axes.bounds(casters.empty() ? scene : casters);  // without casters any fit will do
   fit.first_caster_z = shadowed.min.z;
   fit.start_z = light_start(fit.axes, light);
   fit.first_caster_z = std::max(fit.first_caster_z, fit.start_z);

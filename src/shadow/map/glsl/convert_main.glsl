@@ -13,7 +13,7 @@ layout(buffer_reference, scalar) readonly buffer FilterParamsRef { FilterParams 
 layout(push_constant, scalar) uniform Push {
   ShadowViews views;
   FilterParamsRef map_filter;
-  uint depth_image, target, size, unused;
+  uint depth_image, target, size;
   float weights[22];
 };
 layout(constant_id = 0) const int k_samples = 1;
@@ -34,8 +34,9 @@ const int k_wide = k_columns + k_taps - 1;       // texels of a row that a threa
 const int k_own = k_share ? k_columns : k_wide;  // of them, those that it encodes
 const int k_kept = k_own + 2 * k_margin;
 const int k_row = k_threads * k_columns;         // texels of a row that a group encodes
-shared MOMENTS shared_row[k_share ? 2 * k_row + k_wide : 1];  // the last threads read beyond, and write nothing
-shared float shared_depth[k_share && k_margin > 0 ? 2 * k_row : 1];
+const int k_stride = k_row + k_wide;  // the last threads read beyond the row, and write nothing
+shared MOMENTS shared_row[k_share ? 2 * k_stride : 1];
+shared float shared_depth[k_share && k_margin > 0 ? 2 * k_stride : 1];
 
 // Read once: the same for every texel of the group.
 vec4 numerator, denominator;  // as ShadowView's, of (texel, depth, 1) instead of (ndc, 1)
@@ -140,7 +141,7 @@ void main() {
   }
   MOMENTS window[k_columns * k_taps];  // of each column, the last rows, blurred along the row
   for (int i = 0; i < k_rows + k_taps - 1; ++i, ++texel.y) {
-    int shared_column = (i & 1) * k_row + column;
+    int shared_column = (i & 1) * k_stride + column;
     if (k_margin > 0 && k_samples == 1) {
       for (int j = 0; j < k_kept; ++j) {
         above[j] = here[j];

@@ -56,10 +56,8 @@ void main() {
   ShadowView now = views.v[layer], before = last_views.v[layer];
   uint kind = history_of(now, before);
   if (kind == k_history_none) return;
-  // A group's tile is 16 x 16 texels: reading the views costs more than a texel.
-  uvec2 first = gl_WorkGroupID.xy * 16u + gl_LocalInvocationID.xy;
   for (uint i = 0u; i < 4u; ++i) {
-    ivec3 texel = ivec3(first + 8u * uvec2(i & 1u, i >> 1u), layer);
+    ivec3 texel = ivec3(pixel_of_tile(i), layer);
     if (any(greaterThanEqual(texel.xy, ivec2(size)))) continue;
     vec4 found;
     if (kind == k_history_same) {

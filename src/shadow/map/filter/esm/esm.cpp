@@ -23,7 +23,7 @@ class Esm : public MomentFilter<Params> {
   using MomentFilter::MomentFilter;
   bool prefilter() const override { return params_.prefilter != 0; }
   MomentMapInfo describe() const override {
-    return {.filter = GNOMON_ID_TEXT, .format = VK_FORMAT_R32_SFLOAT, .channels = 1, .logarithms = params_.space == space_log};
+    return {.filter = GNOMON_ID_TEXT, .format = VK_FORMAT_R32_SFLOAT, .logarithms = params_.space == space_log};
   }
 };
 

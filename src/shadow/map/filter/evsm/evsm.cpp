@@ -21,7 +21,7 @@ class Evsm : public MomentFilter<Params> {
     constexpr VkFormat k_formats[2][2] = {{VK_FORMAT_R16G16_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT},
                                           {VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT}};
     // The kernel computes both warps; an image of two channels takes the first.
-    return {GNOMON_ID_TEXT, k_formats[params_.format][params_.moments], 4};
+    return {GNOMON_ID_TEXT, k_formats[params_.format][params_.moments]};
   }
 };
 

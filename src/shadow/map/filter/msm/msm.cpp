@@ -18,7 +18,7 @@ constexpr const char* k_manual =
 class Msm : public MomentFilter<Params> {
   using MomentFilter::MomentFilter;
   MomentMapInfo describe() const override {
-    return {GNOMON_ID_TEXT, params_.format == format_unorm16 ? VK_FORMAT_R16G16B16A16_UNORM : VK_FORMAT_R32G32B32A32_SFLOAT, 4};
+    return {GNOMON_ID_TEXT, params_.format == format_unorm16 ? VK_FORMAT_R16G16B16A16_UNORM : VK_FORMAT_R32G32B32A32_SFLOAT};
   }
 };
 

@@ -20,7 +20,7 @@ constexpr const char* k_manual =
 class Vsm : public MomentFilter<Params> {
   using MomentFilter::MomentFilter;
   MomentMapInfo describe() const override {
-    return {GNOMON_ID_TEXT, VK_FORMAT_R32G32_SFLOAT, 2};
+    return {GNOMON_ID_TEXT, VK_FORMAT_R32G32_SFLOAT};
   }
 };
 

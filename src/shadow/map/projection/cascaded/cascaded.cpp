@@ -65,15 +65,18 @@ class Cascaded : public Projection {
                         : params_.fit == fit_sphere ? sphere_view(frame, light_frame, bounds, splits[i], splits[i + 1])
                                                   : box_view(frame, light, light_frame, bounds, splits[i], splits[i + 1]);
       view.interval_m = vec2(i == 0 ? 0.0f : splits[i], splits[i + 1]);
-      view.border = params_.border;
+      view.border = border();
       // As cascaded.glsl selects and blends.
-      if (nested()) view.raster.served = std::max(1.0f - 2.0f * params_.border / static_cast<float>(params_.size), 0.0f) * (1.0f - params_.blend);
+      if (nested()) view.raster.served = (1.0f - 2.0f * border() / static_cast<float>(params_.size)) * (1.0f - params_.blend);
       views.push_back(view);
     }
     return views;
   }
 
  private:
+  // A map that were all border would hold nothing.
+  float border() const { return std::min(params_.border, 0.25f * static_cast<float>(params_.size)); }
+
   struct Bounds {
     Box scene, casters;  // in light space
     float start;         // light_start()
@@ -102,7 +105,7 @@ class Cascaded : public Projection {
     };
     // Penumbras and kernels reach beyond a caster's own outline.
     const float reach = light_shape(light, true).emitter_radius * 2.0f * scene.radius() +
-                        params_.border * 2.0f * slice_sphere(camera, near, far).radius / static_cast<float>(params_.size);
+                        border() * 2.0f * slice_sphere(camera, near, far).radius / static_cast<float>(params_.size);
     // Clipping the view takes some 20 us: bounds first, so that only groups that may be the farthest need it.
     const WarpFit visible = warp_fit(camera, light, scene, scene, near, far);
     const vec3 forward = visible.axes.to_light(camera.forward_ws);
@@ -188,7 +191,7 @@ class Cascaded : public Projection {
     const Sphere sphere = slice_sphere(frame.camera(), from, to);
     vec3 centre = light_frame.to_light(sphere.centre - frame.camera().forward_ws * (params_.offset * sphere.radius));
     const float size = static_cast<float>(params_.size);
-    float half = sphere.radius * size / std::max(size - 2.0f * params_.border, 1.0f);
+    float half = sphere.radius * size / (size - 2.0f * border());
     if (params_.stabilise) {
       // Whole texels of the world: the map's grid stays where it was (Valient 2008). Along the light too: depths keep their rounding.
       const float texel = with_few_bits(2.0f * half / size);
@@ -205,7 +208,7 @@ class Cascaded : public Projection {
   ShadowView warped_slice(const Frame& frame, const Light& light, float from, float to) const {
     const WarpFit fit = warp_fit(frame.camera(), light, frame.scene().caster_bounds(), frame.scene().bounds(), from, to);
     const bool perspective = params_.warp == warp_light_space_perspective;
-    return warped_view(fit, perspective ? light_space_perspective_distance(fit, 0.0f, 1.0f) : trapezoidal_distance(fit, 0.5f, 0.6f), map_size(), params_.border);
+    return warped_view(fit, perspective ? light_space_perspective_distance(fit, 0.0f, 1.0f) : trapezoidal_distance(fit, 0.5f, 0.6f), map_size(), border());
   }
 
   ShadowView box_view(const Frame& frame, const Light& light, const LightFrame& light_frame, const Bounds& bounds, float from, float to) const {
@@ -218,7 +221,7 @@ class Cascaded : public Projection {
       fit.min[axis] = std::max(fit.min[axis], std::max(bounds.scene.min[axis], bounds.casters.min[axis]));
       fit.max[axis] = std::min(fit.max[axis], std::min(bounds.scene.max[axis], bounds.casters.max[axis]));
     }
-    add_border(fit, map_size(), params_.border);
+    add_border(fit, map_size(), border());
     if (params_.stabilise) {
       for (int axis = 0; axis < 2; ++axis) {
         // Sizes in steps of an eighth, so that a texel is the same over many frames.
