@@ -68,7 +68,7 @@ MomentMap::Shape MomentMap::shape(uint32_t radius, bool prefilter) const {
   if (shape.taps == 1) shape.share = 0;
   // Measured on an H200: 64 to 512 threads, 16 to 64 rows, 1 to 4 columns; with 34 rows the 1037 groups of a map of 2048 x 2048 fill its 132
   // processors evenly. And on a CPU, with registers instead of shared memory; wider kernels would not stay in them.
-  if (device_->info().software && shape.taps <= 10) {
+  if (device_->info().software && shape.taps <= 16) {
     shape.columns = 8;
     shape.rows = 64;
     shape.share = 0;
