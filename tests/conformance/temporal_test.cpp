@@ -113,6 +113,39 @@ TEST(Temporal, HistoryCalmsASlowSunAndSmearsAFastOne) {
   }
 }
 
+// In the frame after a step of the sun a map is mostly the last one: a mask that is the one without history shows that the
+// filter keeps none, which the tests of a still or a slow sun cannot see.
+TEST(Temporal, EveryFilterBlendsAfterAStepOfTheSun) {
+  View& view = test::kept_view("hexworld", [] { return load_scene("hexworld"); }, {96, 72});
+  const size_t receivers = test::count(test::receivers((view.draw(), view)));
+  const auto differing = [&](const std::vector<float>& a, const std::vector<float>& b) {
+    size_t count = 0;
+    for (size_t i = 0; i < a.size(); ++i) count += std::abs(a[i] - b[i]) > 0.02f;
+    return static_cast<double>(count) / static_cast<double>(receivers);
+  };
+  size_t filters = 0;
+  for (const auto& spec : all_techniques()) {
+    if (!spec.name.starts_with("single/") || spec.name.ends_with("/object_id")) continue;  // object ids refuse a history
+    ++filters;
+    const auto plain = make(view, spec.name, {"single.size=256"});
+    const auto blended = make(view, spec.name, {"single.size=256", "temporal.history=0.9"});
+    draw(view, *plain);
+    const auto before = view.frame().read_mask(0);
+    draw(view, *blended);
+    EXPECT_LT(mean_difference(view.frame().read_mask(0), before), 1e-3) << spec.name << ": a first frame blends nothing";
+    turn_sun(view, 3.0f);
+    draw(view, *plain);
+    const auto after = view.frame().read_mask(0);
+    draw(view, *blended);
+    const auto mask = view.frame().read_mask(0);
+    const double share = differing(mask, after);
+    fmt::print("{:14}, hexworld, a step of 3 degrees: {:.3f} of receivers differ from the mask without history\n", spec.name, share);
+    EXPECT_GT(share, 0.02) << spec.name;
+    turn_sun(view, 0.0f);
+  }
+  EXPECT_GE(filters, 8u);
+}
+
 // Cascades that follow the viewer in whole texels find each surface again, so that a still sun's map stays what it is.
 TEST(Temporal, MapsThatFollowTheViewerAreFoundAgain) {
   View& view = test::kept_view("courtyard", [] { return load_scene("courtyard"); }, {160, 120});
