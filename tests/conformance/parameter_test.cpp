@@ -268,11 +268,16 @@ TEST_P(EveryParameter, TakesEffectAsItsTableSays) {
       const auto changed = with(defaults, parameter.id, parameter.name, value);
       const auto fresh = test::run_technique(view, *spec, changed);
       const auto technique = spec->make(view.context(), defaults);
+      const auto draw = [&] {
+        test::run_passes([&](Recorder& recorder) {
+          view.frame().record_surface(recorder);
+          technique->record(recorder, view.frame(), 0);
+        });
+      };
+      // A frame with the old value first: what that frame made (pipelines, maps, a cache) must not outlive the change.
+      draw();
       technique->set(changed);
-      test::run_passes([&](Recorder& recorder) {
-        view.frame().record_surface(recorder);
-        technique->record(recorder, view.frame(), 0);
-      });
+      draw();
       EXPECT_EQ(view.frame().read_mask(0), fresh.mask)
           << spec->name << ": " << parameter.id << "." << parameter.name << "=" << value
           << " is called live, but a new technique gives another mask";

@@ -139,7 +139,7 @@ TEST(Temporal, EveryFilterBlendsAfterAStepOfTheSun) {
     draw(view, *blended);
     const auto mask = view.frame().read_mask(0);
     const double share = differing(mask, after);
-    fmt::print("{:14}, hexworld, a step of 3 degrees: {:.3f} of receivers differ from the mask without history\n", spec.name, share);
+    fmt::print("{:14}, hexworld, a step of 3 degrees: {:.3f} of receivers differ from without history\n", spec.name, share);
     EXPECT_GT(share, 0.02) << spec.name;
     turn_sun(view, 0.0f);
   }
