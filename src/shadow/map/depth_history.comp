@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/bindless.glsl"
 #include "frame/glsl/pixel_tile.glsl"
+#include "shadow/map/glsl/bilinear.glsl"
 #include "shadow/map/glsl/history.glsl"
 
 layout(buffer_reference, scalar) buffer Depths { float v[]; };

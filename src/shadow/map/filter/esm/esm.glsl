@@ -1,20 +1,18 @@
 // exp(c z) averaged over the kernel, times exp(-c d) (Annen et al. 2008, eq. 6).
 #define GNOMON_FILTER_FOOTPRINT
 #include "shadow/map/filter/esm/esm_scale.glsl"
+#include "shadow/map/glsl/bilinear.glsl"
 #include "shadow/map/glsl/moments.glsl"
 
 float filter_radius(FilterParams params) { return float(params.blur) + 1.0 + 0.5 * float(params.prefilter); }
 
 // log of the bilinear mean of the exponentials of four logarithms.
 float bilinear_log(uint map_image, MapSample at) {
-  vec2 position = at.uv * at.size - 0.5;
-  ivec2 low = ivec2(floor(position)), last = ivec2(int(at.size) - 1);
-  vec2 high = position - floor(position);
+  ivec2 texels[4];
   float x[4], weights[4], most = -1e30;
+  bilinear_taps(at.uv, at.size, texels, weights);
   for (int i = 0; i < 4; ++i) {
-    ivec2 texel = clamp(low + ivec2(i & 1, i >> 1), ivec2(0), last);
-    x[i] = texelFetch(images_2d_array[nonuniformEXT(map_image)], ivec3(texel, at.layer), 0).x;
-    weights[i] = ((i & 1) != 0 ? high.x : 1.0 - high.x) * ((i >> 1) != 0 ? high.y : 1.0 - high.y);
+    x[i] = texelFetch(images_2d_array[nonuniformEXT(map_image)], ivec3(texels[i], at.layer), 0).x;
     // The largest that counts: beside a larger one without weight the others would vanish.
     if (weights[i] > 1e-6) most = max(most, x[i]);
   }
