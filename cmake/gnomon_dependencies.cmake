@@ -29,3 +29,10 @@ find_path(TINYOBJ_INCLUDE tiny_obj_loader.h REQUIRED)
 find_path(TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)
 find_path(DRACO_INCLUDE draco/compression/decode.h REQUIRED)
 find_library(DRACO_LIBRARY draco REQUIRED)
+
+if(GNOMON_VIEWER)
+  find_package(glfw3 3.3 REQUIRED)
+  find_path(IMGUI_INCLUDE imgui.h PATH_SUFFIXES imgui REQUIRED)
+  find_library(IMGUI_LIBRARY imgui REQUIRED)
+  find_library(STB_LIBRARY stb REQUIRED)  # the distribution's Dear ImGui packs its font with it
+endif()

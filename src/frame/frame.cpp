@@ -54,7 +54,7 @@ Frame::Frame(Device& device, const GpuScene& scene, uvec2 size, uint32_t samples
   frame_data_ = Buffer(device, "frame data", sizeof(FrameData), BufferMemory::upload);
   light_buffer_ = Buffer(device, "lights", lights_.size() * sizeof(LightData), BufferMemory::upload);
   fill_lights();
-  key_irradiance_ = key_irradiance(lights_, scene_.bounds());
+  expose();
 
   draws_ = CulledDraws(device, scene, "camera");
   cull_pipeline_ = make_cull_pipeline(device);
@@ -96,6 +96,8 @@ void Frame::set_lights(std::span<const Light> lights) {
   lights_.assign(lights.begin(), lights.end());
   fill_lights();
 }
+
+void Frame::expose() { key_irradiance_ = key_irradiance(lights_, scene_.bounds()); }
 
 void Frame::fill_lights() {
   const auto list = light_buffer_.mapped_as<LightData>();

@@ -29,6 +29,7 @@ class Frame {
   // The same lights at other places, or of other strength: as many as before, and of the same kinds. The exposure stays that of
   // the first lights, so that an evening gets dark.
   void set_lights(std::span<const Light> lights);
+  void expose();  // for the lights as they are now; in force with the next set_camera
   void set_params(const frame_params::Params& params) { params_ = params; }
   const CameraData& camera() const { return data_.camera; }
   const GpuScene& scene() const { return scene_; }
@@ -52,6 +53,9 @@ class Frame {
   // Visibility of light i: floats, in the surface buffer's order.
   const Buffer& mask() const { return mask_; }
   uint64_t mask_address(size_t light) const { return mask_.address() + light * sample_count() * sizeof(float); }
+
+  // The picture: a word per pixel, row by row, sRGB-encoded RGBA of 8 bits each.
+  const Buffer& display() const { return display_; }
 
   // Results of the last finished frame; these wait for the GPU.
   Image8 read_display() const;

@@ -60,18 +60,26 @@ std::vector<DeviceInfo> list_devices() {
   return infos;
 }
 
-Device::Device(const DeviceOptions& options) : instance_(options.validate || validation_wanted()) {
+Device::Device(const DeviceOptions& options) : instance_(options.validate || validation_wanted(), options.window.instance_extensions) {
   const auto physical = instance_.physical_devices();
   std::vector<DeviceInfo> infos;
-  for (const VkPhysicalDevice candidate : physical) infos.push_back(device_info(candidate));
+  const bool with_window = options.window.can_present != nullptr;
+  for (const VkPhysicalDevice candidate : physical) {
+    infos.push_back(device_info(candidate));
+    // A device with missing features may lack the queue family, too.
+    if (!with_window || !infos.back().missing.empty()) continue;
+    const bool presents = options.window.can_present(instance_.handle(), candidate, find_queue_family(candidate));
+    if (!has_device_extension(candidate, VK_KHR_SWAPCHAIN_EXTENSION_NAME) || !presents) infos.back().missing.emplace_back("pictures in a window");
+  }
   const size_t index = choose(infos, options.choice);
   physical_ = physical[index];
   info_ = infos[index];
-  create_device();
+  create_device(with_window);
 }
 
-void Device::create_device() {
-  const FeatureChain chain(info_);
+void Device::create_device(bool with_window) {
+  FeatureChain chain(info_);
+  if (with_window) chain.extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
   queue_family_ = find_queue_family(physical_);
   const float priority = 1.0f;
   VkDeviceQueueCreateInfo queue = {VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
@@ -136,18 +144,24 @@ void Device::check_device(VkResult result, const char* call) {
   vk_check(result, call);
 }
 
-uint64_t Device::submit(VkCommandBuffer commands) {
+uint64_t Device::submit(VkCommandBuffer commands, VkSemaphore acquired, VkSemaphore finished) {
   VkCommandBufferSubmitInfo buffer = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
   buffer.commandBuffer = commands;
-  VkSemaphoreSubmitInfo signal = {VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-  signal.semaphore = timeline_;
-  signal.value = ++submitted_;
-  signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  VkSemaphoreSubmitInfo wait = {VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+  wait.semaphore = acquired;
+  wait.stageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+  VkSemaphoreSubmitInfo signals[2] = {{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO}, {VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO}};
+  signals[0].semaphore = timeline_;
+  signals[0].value = ++submitted_;
+  signals[1].semaphore = finished;
+  for (auto& signal : signals) signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   VkSubmitInfo2 info = {VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
   info.commandBufferInfoCount = 1;
   info.pCommandBufferInfos = &buffer;
-  info.signalSemaphoreInfoCount = 1;
-  info.pSignalSemaphoreInfos = &signal;
+  info.waitSemaphoreInfoCount = acquired ? 1 : 0;
+  info.pWaitSemaphoreInfos = &wait;
+  info.signalSemaphoreInfoCount = finished ? 2 : 1;
+  info.pSignalSemaphoreInfos = signals;
   check_device(vkQueueSubmit2(queue_, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit2");
   return submitted_;
 }

@@ -48,9 +48,17 @@ struct RayTracingFunctions {
   PFN_vkCmdTraceRaysKHR cmd_trace = nullptr;
 };
 
+// What a program with a window needs beyond the rest; the default needs nothing.
+struct WindowNeeds {
+  std::vector<const char*> instance_extensions;
+  // Whether a queue family can show pictures in the window; empty: there is no window.
+  std::function<bool(VkInstance, VkPhysicalDevice, uint32_t family)> can_present;
+};
+
 struct DeviceOptions {
   std::string choice;     // part of the device's name, or its number in `gnomon list devices`; empty: a hardware GPU first
   bool validate = false;
+  WindowNeeds window = {};
 };
 
 class Device {
@@ -62,6 +70,8 @@ class Device {
   Device& operator=(const Device&) = delete;
 
   VkDevice handle() const { return device_; }
+  VkInstance instance() const { return instance_.handle(); }
+  bool validates() const { return instance_.validates(); }
   VkPhysicalDevice physical() const { return physical_; }
   VkQueue queue() const { return queue_; }
   uint32_t queue_family() const { return queue_family_; }
@@ -71,8 +81,9 @@ class Device {
   Bindless& bindless() { return *bindless_; }
   VkPipelineLayout pipeline_layout() const { return bindless_->pipeline_layout(); }
 
-  // Begins and ends the one-queue timeline: submit returns the value that `wait` waits for.
-  uint64_t submit(VkCommandBuffer commands);
+  // Begins and ends the one-queue timeline: submit returns the value that `wait` waits for. The semaphores are those of a window,
+  // which knows no timeline: what the commands copy waits for `acquired`; `finished` is for the presentation.
+  uint64_t submit(VkCommandBuffer commands, VkSemaphore acquired = VK_NULL_HANDLE, VkSemaphore finished = VK_NULL_HANDLE);
   void wait(uint64_t value);
 
   void wait_idle();
@@ -102,7 +113,7 @@ class Device {
   void note_allocation(int64_t bytes) { allocated_bytes_ = static_cast<uint64_t>(static_cast<int64_t>(allocated_bytes_) + bytes); }
 
  private:
-  void create_device();
+  void create_device(bool with_window);
   void collect();
   void check_device(VkResult result, const char* call);
 

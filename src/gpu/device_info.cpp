@@ -94,6 +94,11 @@ bool serves_all(const VkQueueFamilyProperties& family) {
 
 }  // namespace
 
+bool has_device_extension(VkPhysicalDevice physical, std::string_view name) {
+  const auto extensions = device_extensions(physical);
+  return std::find(extensions.begin(), extensions.end(), name) != extensions.end();
+}
+
 uint32_t find_queue_family(VkPhysicalDevice physical) {
   const auto families = queue_families(physical);
   const auto found = std::find_if(families.begin(), families.end(), serves_all);

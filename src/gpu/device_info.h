@@ -6,6 +6,7 @@
 namespace gnomon {
 
 DeviceInfo device_info(VkPhysicalDevice physical);
+bool has_device_extension(VkPhysicalDevice physical, std::string_view name);
 
 // The feature chain for vkCreateDevice: required features, and the optional ones that `info` reports.
 struct FeatureChain {

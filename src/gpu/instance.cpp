@@ -73,7 +73,7 @@ bool validation_wanted() {
 #endif
 }
 
-Instance::Instance(bool validate) {
+Instance::Instance(bool validate, std::vector<const char*> extensions) {
   if (validate && !has_layer(k_validation_layer)) {
     fail_device("validation was asked for, but {} is not installed (Debian: vulkan-validationlayers)", k_validation_layer);
   }
@@ -81,7 +81,6 @@ Instance::Instance(bool validate) {
   application.pApplicationName = application.pEngineName = "gnomon";
   application.apiVersion = VK_API_VERSION_1_3;
 
-  std::vector<const char*> extensions;
   if (validate || has_debug_utils()) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
 
   const VkValidationFeatureEnableEXT enabled[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};

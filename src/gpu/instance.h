@@ -22,8 +22,9 @@ class ValidationLog {
 
 class Instance {
  public:
-  // validate: core and synchronization validation. Throws Error (device) when there is no Vulkan, or no validation layer.
-  explicit Instance(bool validate);
+  // validate: core and synchronization validation; `extensions`: those of a window. Throws Error (device) when there is no Vulkan,
+  // or no validation layer.
+  explicit Instance(bool validate, std::vector<const char*> extensions = {});
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/shell.h"
 #include "base/version.h"
 
 namespace gnomon {
@@ -27,14 +28,6 @@ nlohmann::json describe_light(const Light& light) {
   if (light.kind == LightKind::projector) json["beam_radius_m"] = light.beam_radius;
   if (light.kind == LightKind::spot) json["outer_cone_deg"] = degrees(light.outer_cone);
   return json;
-}
-
-// Quoted for a POSIX shell where it needs to be.
-std::string quoted(const std::string& word) {
-  if (!word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@") == word.npos) return word;
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
 }
 
 }  // namespace
@@ -72,13 +65,13 @@ nlohmann::json describe_reference(const ReferenceSet& set, const LightReference&
 
 std::string repeat_command(const Session& session, const std::string& technique, const std::string& light) {
   const ViewOptions& view = session.options();
-  std::string command = "gnomon compare " + quoted(view.scene) + " --techniques " + technique;
+  std::string command = "gnomon compare " + shell_quoted(view.scene) + " --techniques " + technique;
   command += fmt::format(" --size {}x{}", view.size.x, view.size.y);
   if (view.samples != 1) command += fmt::format(" --samples {}", view.samples);
-  if (!view.camera.empty()) command += " --camera " + quoted(view.camera);
-  if (!light.empty()) command += " --light " + quoted(light);
+  if (!view.camera.empty()) command += " --camera " + shell_quoted(view.camera);
+  if (!light.empty()) command += " --light " + shell_quoted(light);
   for (const std::string& assignment : session.settings().assignments_for(find_technique(technique))) {
-    command += " --set " + quoted(assignment);
+    command += " --set " + shell_quoted(assignment);
   }
   return command + " -o out";
 }

@@ -84,6 +84,24 @@ void Session::set_lights(std::vector<Light> lights) {
   lights_ = std::move(lights);
 }
 
+void Session::change(const ViewOptions& options, Settings settings) {
+  settings.complete_scene_options(options_.scene);
+  const Camera camera = choose_camera(scene_, options, settings);
+  std::vector<Light> lights = choose_lights(scene_, options, settings);
+  record_light(lights.front(), settings);
+  options_.camera = options.camera, options_.lights = options.lights;
+  settings_ = std::move(settings);
+  set_lights(std::move(lights));
+  frame_->expose();
+  frame_->set_params(settings_.block("frame").as<frame_params::Params>());
+  set_camera(camera);  // writes all of the frame's data
+}
+
+void Session::resize(uvec2 size) {
+  options_.size = size;
+  make_frame(lights_);
+}
+
 void Session::make_frame(std::span<const Light> lights) {
   context_.reset();
   frame_ = std::make_unique<Frame>(device_, *gpu_scene_, options_.size, options_.samples, lights);

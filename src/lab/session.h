@@ -57,6 +57,11 @@ class Session {
   // Between frames: nothing is built again, and techniques keep their objects. `lights` are the chosen ones, moved.
   void set_camera(const Camera& camera);
   void set_lights(std::vector<Light> lights);
+  // The same scene as `options` and `settings` show it: camera, lights of the same kinds, frame settings. Throws Error (usage), and is
+  // then unchanged.
+  void change(const ViewOptions& options, Settings settings);
+  // A frame of another size. Techniques of the old one must be gone.
+  void resize(uvec2 size);
 
   // Empty when `spec` can run here: on this device, under these lights. Else the reason.
   std::string unavailable(const TechniqueSpec& spec) const;

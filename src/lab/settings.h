@@ -43,6 +43,8 @@ class Settings {
 
   // All effective values for one technique: {"single": {...}, "light": {...}, ...}.
   nlohmann::json to_json(const SettingsMap& technique) const;
+  // All assignments as given, the later over the earlier.
+  const std::vector<std::string>& assignments() const { return assignments_; }
   // The assignments as given that reach this technique or the laboratory, for the command that repeats a row.
   std::vector<std::string> assignments_for(const TechniqueSpec& spec) const;
 

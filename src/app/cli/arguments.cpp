@@ -63,6 +63,7 @@ ViewOptions ViewArguments::view() const {
   options.samples = samples;
   apply_view(preset(), options);
   if (given("scene")) options.scene = scene;
+  if (options.scene.empty()) options.scene = scene;  // a subcommand's default
   if (options.scene.empty()) fail_usage("scene is required: a name, a path, or a --preset that has one");
   if (given("--size")) options.size = parse_size(size);
   if (given("--samples")) options.samples = samples, options.fewer_samples = false;

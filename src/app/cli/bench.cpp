@@ -8,6 +8,7 @@
 #include "app/cli/command.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "base/shell.h"
 #include "lab/compare.h"
 #include "lab/preset_use.h"
 #include "report/report.h"
@@ -109,20 +110,17 @@ Preset override_of(const Arguments& arguments) {
 
 // What repeats this, but for --only and -o.
 std::string command_of(const Arguments& arguments) {
-  const auto quoted = [](const std::string& word) {
-    return word.find_first_of(" '\"$;&|<>*?()") == word.npos ? word : "'" + word + "'";
-  };
   std::string command = "gnomon bench";
-  if (!arguments.what.empty()) command += " " + quoted(arguments.what);
-  for (const auto& name : arguments.preset_names) command += " --preset " + quoted(name);
+  if (!arguments.what.empty()) command += " " + shell_quoted(arguments.what);
+  for (const auto& name : arguments.preset_names) command += " --preset " + shell_quoted(name);
   if (!arguments.techniques.empty()) command += fmt::format(" --techniques {}", fmt::join(arguments.techniques, ","));
   if (arguments.quick) command += " --quick";
   if (arguments.scale != 1.0) command += fmt::format(" --scale {}", arguments.scale);
   if (!arguments.size.empty()) command += " --size " + arguments.size;
   if (arguments.samples > 0) command += fmt::format(" --samples {}", arguments.samples);
-  if (!arguments.camera.empty()) command += " --camera " + quoted(arguments.camera);
-  for (const auto& light : arguments.lights) command += " --light " + quoted(light);
-  for (const auto& assignment : arguments.assignments) command += " --set " + quoted(assignment);
+  if (!arguments.camera.empty()) command += " --camera " + shell_quoted(arguments.camera);
+  for (const auto& light : arguments.lights) command += " --light " + shell_quoted(light);
+  for (const auto& assignment : arguments.assignments) command += " --set " + shell_quoted(assignment);
   return command;
 }
 

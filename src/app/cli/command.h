@@ -27,6 +27,7 @@ void add_render(CLI::App& app, const Globals& globals);
 void add_compare(CLI::App& app, const Globals& globals);
 void add_bench(CLI::App& app, const Globals& globals);
 void add_report(CLI::App& app, const Globals& globals);
+void add_view(CLI::App& app, const Globals& globals);
 void add_doctor(CLI::App& app, const Globals& globals);
 
 // SCENE, --size, --samples, --camera, --light, --set, --preset, --write-preset. What the command line does not say, presets do.

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   cli::add_compare(app, globals);
   cli::add_bench(app, globals);
   cli::add_report(app, globals);
+  cli::add_view(app, globals);
   cli::add_doctor(app, globals);
   try {
     app.parse(argc, argv);

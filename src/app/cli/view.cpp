@@ -1,0 +1,64 @@
+// gnomon view: the window.
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "base/error.h"
+#ifdef GNOMON_VIEWER
+#include "app/viewer/viewer.h"
+#endif
+
+namespace gnomon::cli {
+namespace {
+
+struct Arguments {
+  ViewArguments view;
+  std::vector<std::string> techniques = {"single/pcf", "cube/pcf"};  // the second for point lights
+  float scale = 1.0f;
+  uint32_t frames = 0;
+  std::string screenshot;
+};
+
+void view(const Arguments& arguments, bool technique_given, const Globals& globals) {
+#ifdef GNOMON_VIEWER
+  std::vector<std::string> techniques = arguments.techniques;
+  const Preset preset = arguments.view.preset();
+  if (!technique_given && !preset.techniques.empty()) techniques = preset.techniques;
+  for (const std::string& name : techniques) find_technique(name);
+  if (!arguments.screenshot.empty() && !arguments.screenshot.ends_with(".png")) {
+    fail_usage("--screenshot {}: valid: a path that ends in .png", arguments.screenshot);
+  }
+  viewer::ViewState state{arguments.view.view(), techniques, arguments.view.settings(techniques), {}};
+  arguments.view.write_preset(techniques);
+  viewer::Window window(state.view.size, "gnomon: " + state.view.scene);
+  DeviceOptions options = globals.device;
+  options.window = window.needs();
+  Device device(options);
+  viewer::Viewer viewer(window, device, std::move(state), {arguments.scale, arguments.frames, arguments.screenshot});
+  viewer.run();
+#else
+  static_cast<void>(arguments), static_cast<void>(technique_given), static_cast<void>(globals);
+  fail_device("this gnomon was built without its viewer; use 'gnomon render' or 'gnomon compare'");
+#endif
+}
+
+}  // namespace
+
+void add_view(CLI::App& app, const Globals& globals) {
+  auto* command = app.add_subcommand("view", "a window to walk through a scene, with every setting at hand");
+  const auto arguments = std::make_shared<Arguments>();
+  arguments->view.scene = "courtyard";
+  arguments->view.add_to(*command);
+  command->get_option("scene")->capture_default_str();
+  auto* technique = command->add_option("--technique", arguments->techniques,
+                                        "projection/filter or a direct technique; several, separated by commas: each light takes the first for its kind")
+                        ->delimiter(',')
+                        ->capture_default_str();
+  command->add_option("--scale", arguments->scale, "size of the picture, relative to the window's: small for slow devices")
+      ->check(CLI::Range(0.1f, 2.0f))
+      ->capture_default_str();
+  command->add_option("--frames", arguments->frames, "ends after so many frames (default: when the window is closed)")->check(CLI::Range(1u, 1000000u));
+  command->add_option("--screenshot", arguments->screenshot, "writes the last frame, interface included: .png");
+  command->callback([arguments, technique, &globals] { view(*arguments, technique->count() > 0, globals); });
+}
+
+}  // namespace gnomon::cli

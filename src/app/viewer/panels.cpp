@@ -1,0 +1,123 @@
+#include "app/viewer/panels.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace gnomon::viewer {
+namespace {
+
+void wrapped(const std::string& text, float width) {
+  ImGui::PushTextWrapPos(width);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void Panels::show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques, const Timings& timings) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({std::min(360.0f, screen.x - 16.0f), std::max(screen.y - 16.0f, 60.0f)}, ImGuiCond_FirstUseEver);
+  if (ImGui::Begin("gnomon")) {
+    window(wishes, session);
+    if (ImGui::CollapsingHeader("Technique", ImGuiTreeNodeFlags_DefaultOpen)) technique(state, session, techniques);
+    if (ImGui::CollapsingHeader("Parameters", ImGuiTreeNodeFlags_DefaultOpen)) {
+      editor_.search_field();
+      technique_params(state, session, techniques.spec(light_));
+      scene_params(state, session);
+    }
+    if (ImGui::CollapsingHeader("Cost", ImGuiTreeNodeFlags_DefaultOpen)) {
+      ImGui::Text("memory of the technique: %.1f MiB", static_cast<double>(techniques.memory_bytes()) / 1048576.0);
+      ImGui::Checkbox("separate the passes (full barriers)", &wishes.separate_passes);
+      timings.show(session.device().info().software);
+    }
+  }
+  ImGui::End();
+}
+
+void Panels::window(Wishes& wishes, const Session& session) const {
+  wishes.screenshot = ImGui::Button("Picture (F12)") || wishes.screenshot;
+  ImGui::SameLine();
+  wishes.copy_command = ImGui::Button("Copy command") || wishes.copy_command;
+  ImGui::SameLine();
+  ImGui::Checkbox("vsync", &wishes.vsync);
+  ImGui::SetNextItemWidth(0.42f * ImGui::GetContentRegionAvail().x);
+  ImGui::SliderFloat("picture / window size", &wishes.scale, 0.1f, 2.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  const uvec2 size = session.options().size;
+  ImGui::TextDisabled("%u x %u; W A S D Q E, right mouse button; %.3g m/s (wheel)", size.x, size.y, static_cast<double>(speed_m_s_));
+}
+
+void Panels::technique(ViewState& state, Session& session, const TechniqueSet& techniques) {
+  const auto lights = session.frame().lights();
+  const auto label = [&](size_t i) { return fmt::format("{} ({})##{}", lights[i].name, light_kind_name(lights[i].kind), i); };
+  if (lights.size() > 1 && ImGui::BeginCombo("light", label(light_).c_str())) {
+    for (size_t i = 0; i < lights.size(); ++i) {
+      if (ImGui::Selectable(label(i).c_str(), i == light_)) light_ = i;
+    }
+    ImGui::EndCombo();
+  }
+  const TechniqueSpec& shown = techniques.spec(light_);
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::BeginCombo("##technique", shown.name.c_str(), ImGuiComboFlags_HeightLargest)) {
+    for (const TechniqueSpec& spec : all_techniques()) {
+      if (!spec.supports(lights[light_].kind)) continue;
+      if (ImGui::Selectable(spec.name.c_str(), &spec == &shown)) state.choose_technique(spec, lights[light_].kind, lights);
+      if (!ImGui::IsItemHovered()) continue;
+      ImGui::BeginTooltip();
+      wrapped(spec.summary, ImGui::GetFontSize() * 30.0f);
+      ImGui::EndTooltip();
+    }
+    ImGui::EndCombo();
+  }
+  if (ImGui::TreeNode("manual page")) {
+    wrapped(shown.manual, 0.0f);
+    ImGui::TreePop();
+  }
+}
+
+void Panels::technique_params(ViewState& state, Session& session, const TechniqueSpec& spec) {
+  // With several lights each has values of its own.
+  const Light& light = session.frame().lights()[light_];
+  const bool of_light = session.frame().lights().size() > 1 || !state.base.lights_named().empty();
+  const SettingsMap settings = session.settings_of(spec, light_);
+  for (const auto& [id, table] : spec.tables) {
+    editor_.show(id, settings.at(id), ParamBlock(table), [&](std::string_view name, const std::string* value) {
+      const std::string key = fmt::format("{}{}.{}", of_light ? light.name + "@" : "", id, name);
+      state.edits[key] = value ? *value : ParamBlock(table).text(name);
+    });
+  }
+}
+
+void Panels::scene_params(ViewState& state, Session& session) {
+  for (const char* id : {"light", "frame", "camera"}) {
+    const ParamBlock& block = session.settings().block(id);
+    // What the scene decides about its light and camera is where those started.
+    editor_.show(id, block, start_.block(id), [&](std::string_view name, const std::string* value) {
+      const std::string key = fmt::format("{}.{}", id, name);
+      if (value) {
+        state.edits[key] = *value;
+      } else {
+        state.edits.erase(key);
+      }
+    });
+  }
+}
+
+void Panels::show_message(std::string& text) const {
+  if (text.empty()) return;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * screen.x, screen.y - 8.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowSize({0.9f * screen.x, 0.0f});
+  bool open = true;
+  if (ImGui::Begin("not possible; what was shown before is still shown", &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.6f, 0.5f, 1.0f});
+    wrapped(text, 0.0f);
+    ImGui::PopStyleColor();
+  }
+  ImGui::End();
+  if (!open) text.clear();
+}
+
+}  // namespace gnomon::viewer

@@ -1,0 +1,43 @@
+// The panels: what they show comes from the catalogue of techniques and the parameter tables.
+#pragma once
+
+#include "app/viewer/param_editor.h"
+#include "app/viewer/technique_set.h"
+#include "app/viewer/timings.h"
+#include "app/viewer/view_state.h"
+
+namespace gnomon::viewer {
+
+// What the user wants of the program, beside another picture.
+struct Wishes {
+  bool interface = true;
+  bool vsync = true;
+  bool separate_passes = false;
+  float scale = 1.0f;  // size of the picture, relative to the window's
+  // Of this frame only:
+  bool screenshot = false, copy_command = false;
+};
+
+class Panels {
+ public:
+  explicit Panels(const Settings& start) : start_(start) {}
+
+  // Changes `state` and `wishes` as the user wants them; the session still shows the old state.
+  void show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques, const Timings& timings);
+  // A box over the picture, until the user closes it or `text` is empty.
+  void show_message(std::string& text) const;
+  void set_speed(float speed_m_s) { speed_m_s_ = speed_m_s; }
+
+ private:
+  void technique(ViewState& state, Session& session, const TechniqueSet& techniques);
+  void technique_params(ViewState& state, Session& session, const TechniqueSpec& spec);
+  void scene_params(ViewState& state, Session& session);
+  void window(Wishes& wishes, const Session& session) const;
+
+  Settings start_;  // with what the scene decided about light and camera
+  ParamEditor editor_;
+  size_t light_ = 0;  // whose technique is shown
+  float speed_m_s_ = 0.0f;
+};
+
+}  // namespace gnomon::viewer

@@ -1,0 +1,60 @@
+#include "app/viewer/technique_set.h"
+
+#include <algorithm>
+
+#include "app/viewer/view_state.h"
+#include "base/error.h"
+
+namespace gnomon::viewer {
+namespace {
+
+bool needs_rebuild(const SettingsMap& old_settings, const SettingsMap& new_settings) {
+  for (const auto& [id, block] : new_settings) {
+    const ParamBlock& old_block = old_settings.at(id);
+    for (const ParamInfo& info : block.table()) {
+      if (info.update == ParamUpdate::rebuild && block.number(info.name) != old_block.number(info.name)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void TechniqueSet::update(Session& session, const std::vector<std::string>& names) {
+  const auto lights = session.frame().lights();
+  std::vector<Entry> next(lights.size());
+  std::vector<std::unique_ptr<Technique>> made(lights.size());
+  TechniqueContext& context = session.context();
+  for (size_t i = 0; i < lights.size(); ++i) {
+    Entry& entry = next[i];
+    entry.spec = technique_for(names, lights[i].kind);
+    if (!entry.spec) fail_device("light '{}': none of the techniques supports {} lights", lights[i].name, light_kind_name(lights[i].kind));
+    entry.settings = session.settings_of(*entry.spec, i);
+    const Entry* old = i < entries_.size() ? &entries_[i] : nullptr;
+    if (old && old->spec == entry.spec && !needs_rebuild(old->settings, entry.settings)) {
+      entry.bytes = old->bytes;
+      continue;
+    }
+    context.forget_shared_use();
+    const uint64_t before = session.device().allocated_bytes() - context.shared_bytes();
+    made[i] = entry.spec->make(context, entry.settings);
+    entry.bytes = session.device().allocated_bytes() - context.shared_bytes() - before + context.shared_bytes_used();
+  }
+  techniques_.resize(lights.size());
+  const std::vector<Entry> old = std::exchange(entries_, std::move(next));
+  for (size_t i = 0; i < lights.size(); ++i) {
+    if (made[i]) {
+      techniques_[i] = std::move(made[i]);
+    } else if (entries_[i].settings != old[i].settings) {
+      techniques_[i]->set(entries_[i].settings);
+    }
+  }
+}
+
+uint64_t TechniqueSet::memory_bytes() const {
+  uint64_t sum = 0;
+  for (const Entry& entry : entries_) sum += entry.bytes;
+  return sum;
+}
+
+}  // namespace gnomon::viewer

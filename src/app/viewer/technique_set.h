@@ -1,0 +1,29 @@
+// The technique of each light, built as the session's settings say.
+#pragma once
+
+#include "lab/session.h"
+
+namespace gnomon::viewer {
+
+class TechniqueSet {
+ public:
+  // Builds again where a technique or a `rebuild` parameter changed; other changes take effect in the next frame. Throws Error where one
+  // cannot be built: the old ones then stay.
+  void update(Session& session, const std::vector<std::string>& names);
+  void clear() { entries_.clear(), techniques_.clear(); }
+
+  std::span<const std::unique_ptr<Technique>> techniques() const { return techniques_; }
+  const TechniqueSpec& spec(size_t light) const { return *entries_[light].spec; }
+  uint64_t memory_bytes() const;
+
+ private:
+  struct Entry {
+    const TechniqueSpec* spec = nullptr;
+    SettingsMap settings;
+    uint64_t bytes = 0;
+  };
+  std::vector<Entry> entries_;
+  std::vector<std::unique_ptr<Technique>> techniques_;
+};
+
+}  // namespace gnomon::viewer

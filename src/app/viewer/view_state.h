@@ -1,0 +1,29 @@
+// What the viewer shows, said as a command line would say it: so every picture can be repeated by `gnomon render`.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lab/session.h"
+
+namespace gnomon::viewer {
+
+struct ViewState {
+  ViewOptions view;
+  std::vector<std::string> techniques;       // each light takes the first that supports its kind
+  Settings base;                             // of command line and presets
+  std::map<std::string, std::string> edits;  // "pcf.size", "sun@pcf.size" -> "5": what the panels changed since
+
+  Settings settings() const;
+  // Techniques in the list that do not serve lights of that kind stay.
+  void choose_technique(const TechniqueSpec& spec, LightKind kind, std::span<const Light> lights);
+  // `gnomon render ...` of the same picture, without its output.
+  std::string command(uvec2 size) const;
+  bool same_picture(const ViewState& other) const;
+};
+
+// The first of the names that supports a kind of light; null where none does.
+const TechniqueSpec* technique_for(const std::vector<std::string>& names, LightKind kind);
+
+}  // namespace gnomon::viewer
