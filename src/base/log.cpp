@@ -43,22 +43,50 @@ void log_line(LogLevel level, std::string_view text) {
 
 void set_log_level(LogLevel lowest_shown) { logger().set_level(to_spdlog(lowest_shown)); }
 
+namespace {
+
+thread_local ProgressWatch* watch_of_thread = nullptr;
+
+}  // namespace
+
+void ProgressWatch::watch_this_thread() { watch_of_thread = this; }
+
+ProgressWatch::State ProgressWatch::state() const {
+  const std::lock_guard lock(mutex_);
+  return state_;
+}
+
+void ProgressWatch::report(const std::string& title, double share) {
+  const std::lock_guard lock(mutex_);
+  state_ = {title, share};
+}
+
 Progress::Progress(std::string title, uint64_t total)
-    : title_(std::move(title)), total_(std::max<uint64_t>(total, 1)), start_(Clock::now()), last_drawn_(start_), on_terminal_(isatty(2) == 1) {}
+    : title_(std::move(title)),
+      total_(std::max<uint64_t>(total, 1)),
+      start_(Clock::now()),
+      last_drawn_(start_),
+      on_terminal_(isatty(2) == 1),
+      watch_(watch_of_thread) {
+  if (watch_) watch_->report(title_, 0.0);
+}
 
 Progress::~Progress() {
   if (drawn_) std::fputs("\r\033[K", stderr);
+  if (watch_) watch_->report({}, 0.0);
 }
 
 void Progress::update(uint64_t done) {
   using namespace std::chrono_literals;
-  if (!on_terminal_) return;
+  if (!on_terminal_ && !watch_) return;
   const auto now = Clock::now();
-  if (now - start_ < 1s || now - last_drawn_ < 100ms) return;
+  if (now - last_drawn_ < 100ms) return;
   last_drawn_ = now;
+  const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
+  if (watch_) watch_->report(title_, share);
+  if (!on_terminal_ || now - start_ < 1s) return;
   drawn_ = true;
   constexpr int k_width = 32;
-  const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(total_));
   const int filled = static_cast<int>(share * k_width);
   const std::string bar = std::string(static_cast<size_t>(filled), '#') + std::string(static_cast<size_t>(k_width - filled), '.');
   std::fprintf(stderr, "\r\033[K%s [%s] %3.0f %%", title_.c_str(), bar.c_str(), 100.0 * share);

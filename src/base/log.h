@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,7 +34,27 @@ void log_error(fmt::format_string<Args...> format, Args&&... args) {
   log_line(LogLevel::error, fmt::format(format, std::forward<Args>(args)...));
 }
 
-// A progress bar, drawn on a terminal only, and only once the work has taken longer than a second.
+// What the Progress objects of one thread say, for another thread to show. Must outlive that thread.
+class ProgressWatch {
+ public:
+  void watch_this_thread();
+
+  struct State {
+    std::string title;   // empty: nothing that is counted is being done
+    double share = 0.0;  // of it, [0, 1]
+  };
+  State state() const;  // from any thread
+
+ private:
+  friend class Progress;
+  void report(const std::string& title, double share);
+
+  mutable std::mutex mutex_;
+  State state_;
+};
+
+// A progress bar, drawn on a terminal only, and only once the work has taken longer than a second. A ProgressWatch of its thread sees it
+// from the start.
 class Progress {
  public:
   // title: what is being done; total: the number of steps (any unit).
@@ -51,6 +72,7 @@ class Progress {
   uint64_t total_;
   Clock::time_point start_, last_drawn_;
   bool on_terminal_, drawn_ = false;
+  ProgressWatch* watch_;
 };
 
 }  // namespace gnomon

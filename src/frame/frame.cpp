@@ -35,22 +35,14 @@ struct ShadeArguments {
 }  // namespace
 
 Frame::Frame(Device& device, const GpuScene& scene, uvec2 size, uint32_t samples, std::span<const Light> lights)
-    : device_(device), scene_(scene), size_(size), samples_(samples), lights_(lights.begin(), lights.end()) {
+    : device_(device), scene_(scene), size_(size), capacity_(size), samples_(samples), lights_(lights.begin(), lights.end()) {
   const auto& counts = device.info().sample_counts;
   if (std::find(counts.begin(), counts.end(), static_cast<int>(samples)) == counts.end()) {
     fail_device("{} samples: '{}' offers {}", samples, device.info().name, fmt::join(counts, ", "));
   }
   if (lights_.empty()) fail("{}: the scene has no light; give one with --light", scene.scene().name);
   create_images();
-  const size_t n = sample_count();
-  view_z_ = Buffer(device, "surface view_z", n * 4);
-  geometric_normal_ = Buffer(device, "surface normal", n * 4);
-  item_ = Buffer(device, "surface item", n * 4);
-  primitive_ = Buffer(device, "surface primitive", n * 4);
-  share_ = Buffer(device, "surface share", size_t{size.x} * size.y * 4);
-  mask_ = Buffer(device, "visibility mask", lights_.size() * n * 4);
-  display_ = Buffer(device, "display", size_t{size.x} * size.y * 4);
-  linear_ = Buffer(device, "linear", size_t{size.x} * size.y * 16);
+  create_buffers();
   frame_data_ = Buffer(device, "frame data", sizeof(FrameData), BufferMemory::upload);
   light_buffer_ = Buffer(device, "lights", lights_.size() * sizeof(LightData), BufferMemory::upload);
   fill_lights();
@@ -73,7 +65,7 @@ void Frame::create_images() {
   const auto make = [&](const char* name, VkFormat format, VkImageUsageFlags usage) {
     ImageInfo info;
     info.name = name;
-    info.width = size_.x, info.height = size_.y;
+    info.width = capacity_.x, info.height = capacity_.y;
     info.format = format;
     info.usage = usage | VK_IMAGE_USAGE_SAMPLED_BIT;
     info.samples = samples_;
@@ -83,6 +75,26 @@ void Frame::create_images() {
   normal_ = make("surface shading normal", VK_FORMAT_R16G16B16A16_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
   id_ = make("surface ids", VK_FORMAT_R32G32_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
   depth_ = make("surface depth", VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+}
+
+void Frame::create_buffers() {
+  const size_t pixels = size_t{capacity_.x} * capacity_.y, n = pixels * samples_;
+  view_z_ = Buffer(device_, "surface view_z", n * 4);
+  geometric_normal_ = Buffer(device_, "surface normal", n * 4);
+  item_ = Buffer(device_, "surface item", n * 4);
+  primitive_ = Buffer(device_, "surface primitive", n * 4);
+  share_ = Buffer(device_, "surface share", pixels * 4);
+  mask_ = Buffer(device_, "visibility mask", lights_.size() * n * 4);
+  display_ = Buffer(device_, "display", pixels * 4);
+  linear_ = Buffer(device_, "linear", pixels * 16);
+}
+
+void Frame::resize(uvec2 size) {
+  size_ = size;
+  if (glm::all(glm::lessThanEqual(size, capacity_))) return;
+  capacity_ = glm::max(capacity_, size);
+  create_images();
+  create_buffers();
 }
 
 void Frame::set_camera(const Camera& camera) {
@@ -183,14 +195,14 @@ std::vector<ResourceUse> Frame::surface_uses(Use use) const {
 }
 
 Image8 Frame::read_display() const {
-  const auto bytes = read_back(device_, display_, display_.bytes());
+  const auto bytes = read_back(device_, display_, size_t{size_.x} * size_.y * 4);
   Image8 image(static_cast<int>(size_.x), static_cast<int>(size_.y));
   std::memcpy(image.rgba.data(), bytes.data(), bytes.size());
   return image;
 }
 
 ImageF Frame::read_linear() const {
-  const auto bytes = read_back(device_, linear_, linear_.bytes());
+  const auto bytes = read_back(device_, linear_, size_t{size_.x} * size_.y * 16);
   ImageF image(static_cast<int>(size_.x), static_cast<int>(size_.y), 4);
   std::memcpy(image.values.data(), bytes.data(), bytes.size());
   return image;

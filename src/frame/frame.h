@@ -24,6 +24,10 @@ class Frame {
   // Throws Error (device) for a sample count that the device does not offer, naming those it does.
   Frame(Device& device, const GpuScene& scene, uvec2 size, uint32_t samples, std::span<const Light> lights);
 
+  // Another size. Memory grows to the largest size so far and is then kept: a smaller frame uses a part of it, so a size may change
+  // with every frame. Techniques stay valid. What was drawn is lost; set_camera must follow.
+  void resize(uvec2 size);
+
   // What techniques read: valid between set_camera and the next one.
   void set_camera(const Camera& camera);
   // The same lights at other places, or of other strength: as many as before, and of the same kinds. The exposure stays that of
@@ -70,12 +74,14 @@ class Frame {
 
  private:
   void create_images();
+  void create_buffers();
   void fill_frame_data();
   void fill_lights();
 
   Device& device_;
   const GpuScene& scene_;
   uvec2 size_;
+  uvec2 capacity_;  // of the images: at least size_ along each side
   uint32_t samples_;
   std::vector<Light> lights_;
   float key_irradiance_;  // that pictures are exposed for

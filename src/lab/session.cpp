@@ -36,7 +36,10 @@ void warn_of_coarse_coordinates(const Scene& scene) {
 }  // namespace
 
 Session::Session(Device& device, const ViewOptions& options, Settings settings)
-    : device_(device), options_(options), settings_(std::move(settings)), scene_(load_scene(options.scene, settings_.scene_options())) {
+    : Session(device, options, settings, load_scene(options.scene, settings.scene_options())) {}
+
+Session::Session(Device& device, const ViewOptions& options, Settings settings, Scene scene)
+    : device_(device), options_(options), settings_(std::move(settings)), scene_(std::move(scene)) {
   if (options_.fewer_samples) {
     uint32_t offered = 1;
     for (const int count : device_.info().sample_counts) {
@@ -99,7 +102,8 @@ void Session::change(const ViewOptions& options, Settings settings) {
 
 void Session::resize(uvec2 size) {
   options_.size = size;
-  make_frame(lights_);
+  frame_->resize(size);
+  frame_->set_camera(camera_);
 }
 
 void Session::make_frame(std::span<const Light> lights) {

@@ -37,6 +37,8 @@ void record_light(const Light& light, Settings& settings);
 class Session {
  public:
   Session(Device& device, const ViewOptions& options, Settings settings);
+  // Of a scene that is loaded already: what load_scene made of `options` and `settings`.
+  Session(Device& device, const ViewOptions& options, Settings settings, Scene scene);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -60,7 +62,7 @@ class Session {
   // The same scene as `options` and `settings` show it: camera, lights of the same kinds, frame settings. Throws Error (usage), and is
   // then unchanged.
   void change(const ViewOptions& options, Settings settings);
-  // A frame of another size. Techniques of the old one must be gone.
+  // A frame of another size (Frame::resize); techniques stay valid.
   void resize(uvec2 size);
 
   // Empty when `spec` can run here: on this device, under these lights. Else the reason.

@@ -13,7 +13,7 @@ namespace {
 struct Arguments {
   ViewArguments view;
   std::vector<std::string> techniques = {"single/pcf", "cube/pcf"};  // the second for point lights
-  float scale = 1.0f;
+  float scale = 0.0f, frame_ms = 50.0f;  // scale 0: follows the time of a frame
   uint32_t frames = 0;
   std::string screenshot;
 };
@@ -33,8 +33,14 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   DeviceOptions options = globals.device;
   options.window = window.needs();
   Device device(options);
-  viewer::Viewer viewer(window, device, std::move(state), {arguments.scale, arguments.frames, arguments.screenshot});
-  viewer.run();
+  viewer::Screen screen(window, device);
+  viewer::Wishes wishes;
+  wishes.adapt_size = arguments.scale == 0.0f;
+  if (!wishes.adapt_size) wishes.scale = arguments.scale;
+  wishes.target_ms = arguments.frame_ms;
+  viewer::RecentFiles recent;
+  auto opened = viewer::open_first(screen, std::move(state));
+  while (opened) opened = viewer::Viewer(screen, std::move(*opened), wishes, recent, {arguments.frames, arguments.screenshot}).run();
 #else
   static_cast<void>(arguments), static_cast<void>(technique_given), static_cast<void>(globals);
   fail_device("this gnomon was built without its viewer; use 'gnomon render' or 'gnomon compare'");
@@ -53,8 +59,10 @@ void add_view(CLI::App& app, const Globals& globals) {
                                         "projection/filter or a direct technique; several, separated by commas: each light takes the first for its kind")
                         ->delimiter(',')
                         ->capture_default_str();
-  command->add_option("--scale", arguments->scale, "size of the picture, relative to the window's: small for slow devices")
-      ->check(CLI::Range(0.1f, 2.0f))
+  command->add_option("--scale", arguments->scale, "size of the picture, relative to the window's (default: follows the time of a frame)")
+      ->check(CLI::Range(0.1f, 2.0f));
+  command->add_option("--frame-ms", arguments->frame_ms, "time of a frame that the size of the picture aims at")
+      ->check(CLI::Range(5.0f, 1000.0f))
       ->capture_default_str();
   command->add_option("--frames", arguments->frames, "ends after so many frames (default: when the window is closed)")->check(CLI::Range(1u, 1000000u));
   command->add_option("--screenshot", arguments->screenshot, "writes the last frame, interface included: .png");

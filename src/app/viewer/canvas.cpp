@@ -52,6 +52,19 @@ void Canvas::record(Recorder& recorder, const Frame& frame, Interface& interface
     vkCmdBlitImage(commands.handle(), picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image_.handle(),
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, from == size() ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
   });
+  record_interface(recorder, interface);
+}
+
+void Canvas::record_empty(Recorder& recorder, Interface& interface) {
+  recorder.pass("window/clear", PassStage::other, {{image_, Use::copy_write}}, [&](Commands& commands) {
+    const VkClearColorValue dark = {{0.08f, 0.08f, 0.09f, 1.0f}};
+    const VkImageSubresourceRange all = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    vkCmdClearColorImage(commands.handle(), image_.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &dark, 1, &all);
+  });
+  record_interface(recorder, interface);
+}
+
+void Canvas::record_interface(Recorder& recorder, Interface& interface) {
   recorder.pass("window/interface", PassStage::other, {{image_, Use::colour_write}},
                 [&](Commands& commands) { interface.draw(commands.handle(), framebuffer_, size()); });
 }

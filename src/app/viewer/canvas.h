@@ -17,11 +17,13 @@ class Canvas {
 
   void resize(uvec2 size, VkRenderPass render_pass);
   void record(Recorder& recorder, const Frame& frame, Interface& interface);
+  void record_empty(Recorder& recorder, Interface& interface);  // where there is no frame yet
   const Image& image() const { return image_; }
   uvec2 size() const { return {image_.info().width, image_.info().height}; }
   Image8 read() const;  // of the last finished frame
 
  private:
+  void record_interface(Recorder& recorder, Interface& interface);
   void release() noexcept;
 
   Device& device_;

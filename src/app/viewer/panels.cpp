@@ -16,11 +16,15 @@ void wrapped(const std::string& text, float width) {
 
 }  // namespace
 
-void Panels::show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques, const Timings& timings) {
+bool begin_main_panel() {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize({std::min(360.0f, screen.x - 16.0f), std::max(screen.y - 16.0f, 60.0f)}, ImGuiCond_FirstUseEver);
-  if (ImGui::Begin("gnomon")) {
+  return ImGui::Begin("gnomon");
+}
+
+void Panels::show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques, const Timings& timings) {
+  if (begin_main_panel()) {
     window(wishes, session);
     if (ImGui::CollapsingHeader("Technique", ImGuiTreeNodeFlags_DefaultOpen)) technique(state, session, techniques);
     if (ImGui::CollapsingHeader("Parameters", ImGuiTreeNodeFlags_DefaultOpen)) {
@@ -43,8 +47,13 @@ void Panels::window(Wishes& wishes, const Session& session) const {
   wishes.copy_command = ImGui::Button("Copy command") || wishes.copy_command;
   ImGui::SameLine();
   ImGui::Checkbox("vsync", &wishes.vsync);
+  ImGui::Checkbox("size of the picture follows the time of a frame", &wishes.adapt_size);
   ImGui::SetNextItemWidth(0.42f * ImGui::GetContentRegionAvail().x);
-  ImGui::SliderFloat("picture / window size", &wishes.scale, 0.1f, 2.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  if (wishes.adapt_size) {
+    ImGui::SliderFloat("ms a frame", &wishes.target_ms, 5.0f, 200.0f, "%.0f", ImGuiSliderFlags_AlwaysClamp);
+  } else {
+    ImGui::SliderFloat("picture / window size", &wishes.scale, 0.1f, 2.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  }
   const uvec2 size = session.options().size;
   ImGui::TextDisabled("%u x %u; W A S D Q E, right mouse button; %.3g m/s (wheel)", size.x, size.y, static_cast<double>(speed_m_s_));
 }

@@ -13,10 +13,15 @@ struct Wishes {
   bool interface = true;
   bool vsync = true;
   bool separate_passes = false;
-  float scale = 1.0f;  // size of the picture, relative to the window's
+  float scale = 1.0f;        // size of the picture, relative to the window's
+  bool adapt_size = true;    // `scale` follows the time that a frame takes
+  float target_ms = 50.0f;   // of a frame
   // Of this frame only:
   bool screenshot = false, copy_command = false;
 };
+
+// The window on the left. What several classes show between this and ImGui::End stands in it one below the other.
+bool begin_main_panel();
 
 class Panels {
  public:

@@ -1,6 +1,7 @@
 #include "app/viewer/viewer.h"
 
 #include <GLFW/glfw3.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +16,15 @@ namespace gnomon::viewer {
 namespace {
 
 // A window that is being dragged to another size asks for many; the old picture is stretched meanwhile.
-constexpr float k_size_settles_s = 0.2f;
+constexpr std::chrono::milliseconds k_size_settles{200};
+// Of the picture on a software device, before anything is measured.
+constexpr float k_software_start = 0.35f;
 // The longest step of the camera: after a slow frame it does not leap.
 constexpr float k_longest_step_s = 0.25f;
 
 uvec2 scaled(uvec2 size, float scale) {
   const vec2 exact = glm::round(vec2(size) * scale);
   return glm::clamp(uvec2(exact), uvec2(1), uvec2(16384));
-}
-
-std::unique_ptr<Session> open_session(Device& device, ViewState& state, float scale) {
-  state.view.size = scaled(state.view.size, scale);
-  auto session = std::make_unique<Session>(device, state.view, state.base);
-  state.view.samples = session->options().samples;  // as offered
-  return session;
 }
 
 std::filesystem::path free_name() {
@@ -40,53 +36,101 @@ std::filesystem::path free_name() {
 
 }  // namespace
 
-Viewer::Viewer(Window& window, Device& device, ViewState state, const ViewerOptions& options)
-    : window_(window),
-      device_(device),
-      options_(options),
-      state_(std::move(state)),
-      session_(open_session(device, state_, options.scale)),
-      interface_(device, window),
-      canvas_(device),
-      swapchain_(device, window),
-      panels_(session_->settings()),
-      camera_(session_->camera(), session_->scene().bounds().radius()),
-      last_frame_(std::chrono::steady_clock::now()) {
-  wishes_.scale = options.scale;
-  techniques_.update(*session_, state_.techniques);
+Opened::Opened(Opening& opening, Screen& screen)
+    : session(opening.finish(screen.device, glm::max(screen.window.size(), uvec2(1)))), state(opening.state()) {
+  techniques.update(*session, state.techniques);
 }
 
-void Viewer::run() {
+std::optional<Opened> open_first(Screen& screen, ViewState state) {
   const InterruptScope interrupt;
-  for (uint32_t frame = 0; !window_.closing() && (options_.frames == 0 || frame < options_.frames);) {
+  Opening opening(std::move(state));
+  while (!opening.ready()) {
+    check_interrupted();
+    screen.window.poll(true);
+    if (screen.window.closing()) return std::nullopt;
+    screen.show_panels([&] { show_progress(opening.status(), opening.share()); });
+  }
+  return Opened(opening, screen);
+}
+
+Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recent, const ViewerOptions& options)
+    : screen_(screen),
+      window_(screen.window),
+      device_(screen.device),
+      wishes_(wishes),
+      recent_(recent),
+      options_(options),
+      state_(std::move(opened.state)),
+      session_(std::move(opened.session)),
+      techniques_(std::move(opened.techniques)),
+      interface_(screen.interface),
+      panels_(session_->settings()),
+      camera_(session_->camera(), session_->scene().bounds().radius()),
+      render_scale_(wishes.target_ms, device_.info().software ? k_software_start : 1.0f),
+      last_frame_(std::chrono::steady_clock::now()) {
+  if (!session_->scene().source.empty()) recent_.add(session_->scene().source);
+  window_.set_title("gnomon: " + state_.view.scene);
+}
+
+std::optional<Opened> Viewer::run() {
+  const InterruptScope interrupt;
+  for (uint32_t frame = 0; !window_.closing() && !next_ && (options_.frames == 0 || frame < options_.frames);) {
     check_interrupted();
     const uvec2 size = window_.size();
     const bool visible = size.x > 0 && size.y > 0;
     window_.poll(!visible);
+    follow_drops();
     if (!visible) continue;
     draw();
     ++frame;
   }
-  if (!options_.screenshot.empty() && canvas_.image()) write_png(options_.screenshot, canvas_.read());
+  if (!next_ && !options_.screenshot.empty() && screen_.canvas.image()) write_png(options_.screenshot, screen_.canvas.read());
+  return std::move(next_);
+}
+
+void Viewer::open(const std::string& scene) {
+  if (opening_) {
+    message_ = fmt::format("{} is still being opened", opening_->scene_name());
+    return;
+  }
+  message_.clear();
+  opening_.emplace(state_for_scene(state_, scene));
+}
+
+void Viewer::follow_drops() {
+  if (!window_.dropped().empty()) open(window_.dropped().front());
+  if (!opening_ || !opening_->ready()) return;
+  try {
+    next_.emplace(*opening_, screen_);
+  } catch (const Error& error) {
+    message_ = fmt::format("{} is not opened: {}", opening_->scene_name(), error.what());
+  }
+  opening_.reset();
 }
 
 void Viewer::draw() {
   const auto now = std::chrono::steady_clock::now();
   const float seconds = std::chrono::duration<float>(now - last_frame_).count();
   last_frame_ = now;
-  const uvec2 size = glm::max(window_.size(), uvec2(1));
-  if (!canvas_.image() || canvas_.size() != size) canvas_.resize(size, interface_.render_pass());
+  screen_.fit_canvas();
 
   ViewState next = state_;
   interface_.begin_frame();
   handle_keys();
   move_camera(next, std::min(seconds, k_longest_step_s));
   panels_.set_speed(camera_.speed());
-  if (wishes_.interface) panels_.show(next, wishes_, *session_, techniques_, timings_);
+  if (wishes_.interface) {
+    if (begin_main_panel()) {
+      if (const auto scene = scene_panel_.show(state_.view.scene, recent_)) open(*scene);
+    }
+    ImGui::End();
+    panels_.show(next, wishes_, *session_, techniques_, timings_);
+  }
+  if (opening_) show_progress(opening_->status(), opening_->share());
   panels_.show_message(message_);
   interface_.end_frame();
   if (!next.same_picture(state_)) apply(next);
-  follow_size(seconds);
+  follow_size();
 
   if (!recorder_ || recorder_separates_ != wishes_.separate_passes) {
     recorder_separates_ = wishes_.separate_passes;
@@ -96,10 +140,13 @@ void Viewer::draw() {
   }
   recorder_->begin();
   session_->record_frame(*recorder_, techniques_.techniques());
-  canvas_.record(*recorder_, session_->frame(), interface_);
+  screen_.canvas.record(*recorder_, session_->frame(), interface_);
   timings_.add(recorder_->finish());
-  swapchain_.set_vsync(wishes_.vsync);
-  swapchain_.present(canvas_.image());
+  screen_.swapchain.set_vsync(wishes_.vsync);
+  // Waiting for the screen is no work: it must not make the picture smaller.
+  const std::chrono::duration<float, std::milli> work = std::chrono::steady_clock::now() - now;
+  screen_.swapchain.present(screen_.canvas.image());
+  render_scale_.add_frame(work.count());
   if (std::exchange(wishes_.screenshot, false)) take_screenshot();
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), state_.command(session_->options().size).c_str());
 }
@@ -150,19 +197,21 @@ void Viewer::apply(const ViewState& next) {
   }
 }
 
-uvec2 Viewer::wanted_size() const { return scaled(window_.size(), wishes_.scale); }
+uvec2 Viewer::wanted_size() const {
+  return scaled(window_.size(), wishes_.adapt_size ? render_scale_.scale() : wishes_.scale);
+}
 
-void Viewer::follow_size(float seconds) {
+void Viewer::follow_size() {
+  render_scale_.set_target(wishes_.target_ms);
+  if (wishes_.adapt_size) wishes_.scale = render_scale_.scale();
+  // While a window is dragged to another size the old picture is stretched.
+  const uvec2 window = window_.size();
+  const auto now = std::chrono::steady_clock::now();
+  if (window != last_window_) last_window_ = window, window_changed_ = now;
   const uvec2 wanted = wanted_size();
-  const bool settled = wanted == state_.view.size;  // as it was a frame ago
+  if (wanted == session_->options().size || now - window_changed_ < k_size_settles) return;
   state_.view.size = wanted;
-  size_waits_s_ = settled ? size_waits_s_ + seconds : 0.0f;
-  if (wanted == session_->options().size || size_waits_s_ < k_size_settles_s || glfwGetMouseButton(window_.handle(), GLFW_MOUSE_BUTTON_LEFT)) {
-    return;
-  }
-  techniques_.clear();
   session_->resize(wanted);
-  techniques_.update(*session_, state_.techniques);
 }
 
 void Viewer::take_screenshot() {

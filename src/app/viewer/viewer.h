@@ -6,25 +6,40 @@
 #include <memory>
 #include <optional>
 
-#include "app/viewer/canvas.h"
 #include "app/viewer/fly_camera.h"
-#include "app/viewer/interface.h"
+#include "app/viewer/opening.h"
 #include "app/viewer/panels.h"
-#include "app/viewer/swapchain.h"
+#include "app/viewer/render_scale.h"
+#include "app/viewer/scene_panel.h"
+#include "app/viewer/screen.h"
 
 namespace gnomon::viewer {
 
 struct ViewerOptions {
-  float scale = 1.0f;                // size of the picture, relative to the window's
   uint32_t frames = 0;               // ends after so many; 0: when the user closes the window
   std::filesystem::path screenshot;  // the last frame with the interface
 };
 
+// A scene that has been opened, and what it is shown with.
+struct Opened {
+  // Throws what building says of scene and techniques.
+  Opened(Opening& opening, Screen& screen);
+
+  std::unique_ptr<Session> session;
+  ViewState state;
+  TechniqueSet techniques;
+};
+
+// Waits for the first scene behind a window that already answers; nullopt: it was closed meanwhile. Throws what loading threw.
+std::optional<Opened> open_first(Screen& screen, ViewState state);
+
+// One scene, from its first frame until another one is opened or the window is closed.
 class Viewer {
  public:
-  Viewer(Window& window, Device& device, ViewState state, const ViewerOptions& options);
-  // Until the window is closed. Throws Interrupted.
-  void run();
+  // `wishes` outlive the scene, as do recent files.
+  Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recent, const ViewerOptions& options);
+  // The scene that the user opened next; nullopt: the window is closed. Throws Interrupted.
+  std::optional<Opened> run();
 
  private:
   void draw();
@@ -32,26 +47,33 @@ class Viewer {
   void move_camera(ViewState& state, float seconds);
   void apply(const ViewState& next);
   uvec2 wanted_size() const;
-  void follow_size(float seconds);
+  void follow_size();
+  void open(const std::string& scene);
+  void follow_drops();
   void take_screenshot();
 
+  Screen& screen_;
   Window& window_;
   Device& device_;
+  Wishes& wishes_;
+  RecentFiles& recent_;
   ViewerOptions options_;
   ViewState state_;
   std::unique_ptr<Session> session_;
   TechniqueSet techniques_;
-  Interface interface_;
-  Canvas canvas_;
-  Swapchain swapchain_;
+  Interface& interface_;
   Panels panels_;
   FlyCamera camera_;
   Timings timings_;
-  Wishes wishes_;
   std::unique_ptr<Recorder> recorder_;
   bool recorder_separates_ = false;
   std::string message_;
-  float size_waits_s_ = 0.0f;
+  std::optional<Opening> opening_;
+  std::optional<Opened> next_;
+  ScenePanel scene_panel_;
+  RenderScale render_scale_;
+  uvec2 last_window_ = uvec2(0);
+  std::chrono::steady_clock::time_point window_changed_;
   std::chrono::steady_clock::time_point last_frame_;
 };
 

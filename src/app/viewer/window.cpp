@@ -43,6 +43,10 @@ Window::Window(uvec2 size, const std::string& title) {
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
     if (action == GLFW_PRESS) static_cast<Window*>(glfwGetWindowUserPointer(window))->pressed_.push_back(key);
   });
+  glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+    auto& dropped = static_cast<Window*>(glfwGetWindowUserPointer(window))->dropped_;
+    dropped.insert(dropped.end(), paths, paths + count);
+  });
   mouse_ = pointer(window_);
 }
 
@@ -75,11 +79,13 @@ uvec2 Window::size() const {
   return {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};
 }
 
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 bool Window::closing() const { return glfwWindowShouldClose(window_); }
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 
 void Window::poll(bool wait) {
   pressed_.clear();
+  dropped_.clear();
   wait ? glfwWaitEventsTimeout(0.1) : glfwPollEvents();
   const vec2 now = pointer(window_);
   motion_ = now - mouse_;

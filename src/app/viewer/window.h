@@ -24,6 +24,7 @@ class Window {
   VkSurfaceKHR make_surface(VkInstance instance) const;
 
   uvec2 size() const;  // pixels; 0 x 0 while it is minimised
+  void set_title(const std::string& title);
   bool closing() const;
   void close();
 
@@ -38,10 +39,13 @@ class Window {
   void capture_mouse(bool on);
   vec2 mouse_motion() const { return motion_; }
   bool right_button() const;
+  // Paths of the files that were dropped onto the window since the last poll.
+  const std::vector<std::string>& dropped() const { return dropped_; }
 
  private:
   GLFWwindow* window_ = nullptr;
   std::vector<int> pressed_;
+  std::vector<std::string> dropped_;
   vec2 mouse_ = vec2(0.0f), motion_ = vec2(0.0f);
   bool captured_ = false;
 };

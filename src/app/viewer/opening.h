@@ -1,0 +1,37 @@
+// A scene on its way: a thread of its own loads it, while the window goes on.
+#pragma once
+
+#include <chrono>
+#include <future>
+
+#include "app/viewer/view_state.h"
+#include "base/log.h"
+
+namespace gnomon::viewer {
+
+class Opening {
+ public:
+  explicit Opening(ViewState state);
+  Opening(const Opening&) = delete;
+  Opening& operator=(const Opening&) = delete;
+
+  const std::string& scene_name() const { return state_.view.scene; }
+  std::string status() const;  // what is being done, and for how long
+  double share() const { return watch_.state().share; }  // of that
+
+  bool ready() const;
+  // Once it is ready. Throws what loading threw.
+  std::unique_ptr<Session> finish(Device& device, uvec2 size);
+  ViewState state() const { return state_; }
+
+ private:
+  ViewState state_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  ProgressWatch watch_;
+  std::future<Scene> scene_;  // last: its thread uses the others
+};
+
+// The same technique and its settings on another scene: what belongs to the old scene (camera, lights, their settings) is left behind.
+ViewState state_for_scene(const ViewState& state, const std::string& scene);
+
+}  // namespace gnomon::viewer
