@@ -177,15 +177,15 @@ void Frame::record_surface(Recorder& recorder) {
                 });
 }
 
-void Frame::record_shade(Recorder& recorder) {
+void Frame::record_shade(Recorder& recorder, const Buffer& masks) {
   std::vector<ResourceUse> uses = surface_uses(Use::compute_read);
   for (const Image* image : {&albedo_, &normal_}) uses.emplace_back(*image, Use::compute_read);
-  uses.emplace_back(mask_, Use::compute_read);
+  uses.emplace_back(masks, Use::compute_read);
   uses.emplace_back(display_, Use::compute_write);
   uses.emplace_back(linear_, Use::compute_write);
   recorder.pass("shade", PassStage::shade, uses, [&](Commands& commands) {
     commands.bind(shade_pipeline_);
-    commands.push(ShadeArguments{frame_data_.address(), mask_.address(), display_.address(), linear_.address()});
+    commands.push(ShadeArguments{frame_data_.address(), masks.address(), display_.address(), linear_.address()});
     commands.dispatch(size_, uvec2(k_pixel_tile));
   });
 }

@@ -49,8 +49,9 @@ class Frame {
 
   // Camera culling, raster, packing.
   void record_surface(Recorder& recorder);
-  // Lights the surface through the masks.
-  void record_shade(Recorder& recorder);
+  // Lights the surface through the masks, or through others that are laid out like them; what is below 0 there counts as 0.
+  void record_shade(Recorder& recorder) { record_shade(recorder, mask_); }
+  void record_shade(Recorder& recorder, const Buffer& masks);
 
   // The buffers that a pass reading the surface must name.
   std::vector<ResourceUse> surface_uses(Use use) const;

@@ -81,7 +81,7 @@ void shade_pixel(uvec2 pixel) {
       // Sky above, warm bounce below.
       colour = material.emissive + albedo * data.ambient * mix(vec3(0.52, 0.46, 0.40), vec3(0.80, 0.95, 1.15), normal.y * 0.5 + 0.5);
       for (uint light = 0u; light < data.light_count; ++light) {
-        float visibility = mask.v[light * camera.size.x * camera.size.y * k_samples + index];
+        float visibility = max(mask.v[light * camera.size.x * camera.size.y * k_samples + index], 0.0);
         colour += shade_light(data.lights.v[light], surface, normal, -normalize(direction), albedo, material, visibility);
       }
       coverage += 1.0;

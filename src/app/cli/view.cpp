@@ -15,7 +15,8 @@ struct Arguments {
   std::vector<std::string> techniques = {"single/pcf", "cube/pcf"};  // the second for point lights
   float scale = 0.0f, frame_ms = 50.0f;  // scale 0: follows the time of a frame
   uint32_t frames = 0;
-  std::string screenshot;
+  std::string screenshot, split;
+  bool error = false;
 };
 
 void view(const Arguments& arguments, bool technique_given, const Globals& globals) {
@@ -38,9 +39,16 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   wishes.adapt_size = arguments.scale == 0.0f;
   if (!wishes.adapt_size) wishes.scale = arguments.scale;
   wishes.target_ms = arguments.frame_ms;
+  viewer::ViewerOptions how{arguments.frames, arguments.screenshot, {}};
+  how.comparison.error = arguments.error;
+  if (!arguments.split.empty()) {
+    const bool reference = arguments.split == "reference";
+    how.comparison.second = reference ? viewer::SecondSide::reference : viewer::SecondSide::settings;
+    if (!reference) how.comparison.technique = find_technique(arguments.split).name;
+  }
   viewer::RecentFiles recent;
   auto opened = viewer::open_first(screen, std::move(state));
-  while (opened) opened = viewer::Viewer(screen, std::move(*opened), wishes, recent, {arguments.frames, arguments.screenshot}).run();
+  while (opened) opened = viewer::Viewer(screen, std::move(*opened), wishes, recent, how).run();
 #else
   static_cast<void>(arguments), static_cast<void>(technique_given), static_cast<void>(globals);
   fail_device("this gnomon was built without its viewer; use 'gnomon render' or 'gnomon compare'");
@@ -65,6 +73,8 @@ void add_view(CLI::App& app, const Globals& globals) {
       ->check(CLI::Range(5.0f, 1000.0f))
       ->capture_default_str();
   command->add_option("--frames", arguments->frames, "ends after so many frames (default: when the window is closed)")->check(CLI::Range(1u, 1000000u));
+  command->add_option("--split", arguments->split, "a second side beside the picture: a technique, or 'reference'");
+  command->add_flag("--error", arguments->error, "error against the reference over the picture");
   command->add_option("--screenshot", arguments->screenshot, "writes the last frame, interface included: .png");
   command->callback([arguments, technique, &globals] { view(*arguments, technique->count() > 0, globals); });
 }

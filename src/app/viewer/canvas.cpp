@@ -1,6 +1,8 @@
 // Copy, stretch, interface: passes behind those of the frame.
 #include "app/viewer/canvas.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "app/viewer/interface.h"
@@ -38,19 +40,39 @@ void Canvas::release() noexcept {
   framebuffer_ = VK_NULL_HANDLE;
 }
 
-void Canvas::record(Recorder& recorder, const Frame& frame, Interface& interface) {
+void Canvas::record_picture(Recorder& recorder, const Frame& frame, size_t side) {
+  Image& picture = pictures_[side];
   const uvec2 from = frame.size();
-  if (!picture_ || from != uvec2(picture_.info().width, picture_.info().height)) picture_ = make_image(device_, "picture", from);
-  recorder.pass("window/copy", PassStage::other, {{frame.display(), Use::copy_read}, {picture_, Use::copy_write}},
-                [&](Commands& commands) { commands.copy(frame.display(), picture_); });
-  recorder.pass("window/stretch", PassStage::other, {{picture_, Use::copy_read}, {image_, Use::copy_write}}, [&](Commands& commands) {
-    VkImageBlit region = {};
-    region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.srcOffsets[1] = {static_cast<int32_t>(from.x), static_cast<int32_t>(from.y), 1};
-    region.dstOffsets[1] = {static_cast<int32_t>(size().x), static_cast<int32_t>(size().y), 1};
-    // Of the same size: the same bits.
-    vkCmdBlitImage(commands.handle(), picture_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image_.handle(),
-                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, from == size() ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
+  if (!picture || from != uvec2(picture.info().width, picture.info().height)) picture = make_image(device_, "picture", from);
+  recorder.pass("window/copy", PassStage::other, {{frame.display(), Use::copy_read}, {picture, Use::copy_write}},
+                [&](Commands& commands) { commands.copy(frame.display(), picture); });
+}
+
+// The part of a picture that lies between two columns of the window.
+void Canvas::stretch(const Commands& commands, const Image& picture, uint32_t from_x, uint32_t to_x) const {
+  const uvec2 from(picture.info().width, picture.info().height);
+  const auto picture_x = [&](uint32_t x) { return static_cast<int32_t>(std::lround(static_cast<double>(x) * from.x / size().x)); };
+  VkImageBlit region = {};
+  region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+  region.srcOffsets[0] = {picture_x(from_x), 0, 0};
+  region.srcOffsets[1] = {picture_x(to_x), static_cast<int32_t>(from.y), 1};
+  region.dstOffsets[0] = {static_cast<int32_t>(from_x), 0, 0};
+  region.dstOffsets[1] = {static_cast<int32_t>(to_x), static_cast<int32_t>(size().y), 1};
+  if (from_x == to_x || region.srcOffsets[0].x == region.srcOffsets[1].x) return;
+  // Of the same size: the same bits.
+  vkCmdBlitImage(commands.handle(), picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image_.handle(),
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, from == size() ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
+}
+
+void Canvas::record_window(Recorder& recorder, float divider, Interface& interface) {
+  const auto split = static_cast<uint32_t>(std::lround(std::clamp(divider, 0.0f, 1.0f) * static_cast<float>(size().x)));
+  std::vector<ResourceUse> uses = {{image_, Use::copy_write}};
+  for (const Image& picture : pictures_) {
+    if (picture) uses.emplace_back(picture, Use::copy_read);
+  }
+  recorder.pass("window/stretch", PassStage::other, uses, [&](Commands& commands) {
+    if (pictures_[0]) stretch(commands, pictures_[0], 0, split);
+    if (pictures_[1]) stretch(commands, pictures_[1], split, size().x);
   });
   record_interface(recorder, interface);
 }

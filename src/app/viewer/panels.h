@@ -31,6 +31,7 @@ class Panels {
   void show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques, const Timings& timings);
   // A box over the picture, until the user closes it or `text` is empty.
   void show_message(std::string& text) const;
+  size_t light() const { return light_; }  // whose technique is shown
   void set_speed(float speed_m_s) { speed_m_s_ = speed_m_s; }
 
  private:

@@ -66,6 +66,7 @@ Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recen
       interface_(screen.interface),
       panels_(session_->settings()),
       camera_(session_->camera(), session_->scene().bounds().radius()),
+      comparison_(options.comparison, state_),
       render_scale_(wishes.target_ms, device_.info().software ? k_software_start : 1.0f),
       last_frame_(std::chrono::steady_clock::now()) {
   if (!session_->scene().source.empty()) recent_.add(session_->scene().source);
@@ -82,7 +83,7 @@ std::optional<Opened> Viewer::run() {
     follow_drops();
     if (!visible) continue;
     draw();
-    ++frame;
+    if (!comparison_.waits_for_reference()) ++frame;
   }
   if (!next_ && !options_.screenshot.empty() && screen_.canvas.image()) write_png(options_.screenshot, screen_.canvas.read());
   return std::move(next_);
@@ -125,10 +126,14 @@ void Viewer::draw() {
     }
     ImGui::End();
     panels_.show(next, wishes_, *session_, techniques_, timings_);
+    if (begin_main_panel() && ImGui::CollapsingHeader("Compare")) comparison_.show(next, *session_, panels_.light());
+    ImGui::End();
   }
   if (opening_) show_progress(opening_->status(), opening_->share());
+  comparison_.show_divider();
   panels_.show_message(message_);
   interface_.end_frame();
+  const bool same_view = next.view.camera == state_.view.camera;
   if (!next.same_picture(state_)) apply(next);
   follow_size();
 
@@ -138,15 +143,20 @@ void Viewer::draw() {
     recorder_ = std::make_unique<Recorder>(device_, recorder_separates_ ? TimingMode::measure : TimingMode::play, alone);
     timings_.clear();
   }
+  draw_second();
   recorder_->begin();
   session_->record_frame(*recorder_, techniques_.techniques());
-  screen_.canvas.record(*recorder_, session_->frame(), interface_);
+  comparison_.record_error(*recorder_, session_->frame());
+  screen_.canvas.record_picture(*recorder_, session_->frame(), 0);
+  screen_.canvas.record_window(*recorder_, comparison_.divider(), interface_);
   timings_.add(recorder_->finish());
   screen_.swapchain.set_vsync(wishes_.vsync);
   // Waiting for the screen is no work: it must not make the picture smaller.
   const std::chrono::duration<float, std::milli> work = std::chrono::steady_clock::now() - now;
   screen_.swapchain.present(screen_.canvas.image());
-  render_scale_.add_frame(work.count());
+  // A reference is for one size: while it is wanted, only a camera that moves changes it.
+  if (!comparison_.wants_reference() || !same_view) render_scale_.add_frame(work.count());
+  guarded([&] { comparison_.follow(*session_); });
   if (std::exchange(wishes_.screenshot, false)) take_screenshot();
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), state_.command(session_->options().size).c_str());
 }
@@ -154,6 +164,10 @@ void Viewer::draw() {
 void Viewer::handle_keys() {
   if (window_.pressed(GLFW_KEY_F12)) wishes_.screenshot = true;
   if (window_.pressed(GLFW_KEY_F1)) wishes_.interface = !wishes_.interface;
+  if (!interface_.takes_keys()) {
+    if (window_.pressed(GLFW_KEY_B)) comparison_.flip();
+    if (window_.pressed(GLFW_KEY_X)) comparison_.toggle_error();
+  }
   if (window_.pressed(GLFW_KEY_Q) && window_.control_held()) window_.close();
 }
 
@@ -179,6 +193,20 @@ void Viewer::move_camera(ViewState& state, float seconds) {
     }
   }
   state.view.camera = camera_.text();
+}
+
+void Viewer::draw_second() {
+  guarded([&] { comparison_.draw_second(*recorder_, *session_, state_, screen_.canvas); });
+}
+
+// What the user may have asked for is shown; what validation says, and a lost device, end the program.
+void Viewer::guarded(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    if (device_.validates() && error.code() == ExitCode::failure) throw;
+    message_ = error.what();
+  }
 }
 
 void Viewer::apply(const ViewState& next) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/viewer/comparison.h"
 #include "app/viewer/fly_camera.h"
 #include "app/viewer/opening.h"
 #include "app/viewer/panels.h"
@@ -17,7 +18,8 @@ namespace gnomon::viewer {
 
 struct ViewerOptions {
   uint32_t frames = 0;               // ends after so many; 0: when the user closes the window
-  std::filesystem::path screenshot;  // the last frame with the interface
+  std::filesystem::path screenshot;  // the last frame with the interface; with a reference that is complete, where one is wanted
+  Comparison::Start comparison;
 };
 
 // A scene that has been opened, and what it is shown with.
@@ -43,6 +45,8 @@ class Viewer {
 
  private:
   void draw();
+  void draw_second();
+  void guarded(const std::function<void()>& work);
   void handle_keys();
   void move_camera(ViewState& state, float seconds);
   void apply(const ViewState& next);
@@ -68,6 +72,7 @@ class Viewer {
   std::unique_ptr<Recorder> recorder_;
   bool recorder_separates_ = false;
   std::string message_;
+  Comparison comparison_;
   std::optional<Opening> opening_;
   std::optional<Opened> next_;
   ScenePanel scene_panel_;

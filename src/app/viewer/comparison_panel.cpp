@@ -1,0 +1,111 @@
+// What the user sees of a comparison.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/viewer/comparison.h"
+
+namespace gnomon::viewer {
+
+void Comparison::show(ViewState& state, const Session& session, size_t light) {
+  if (light != light_) score_ = {}, settling_ = std::max(settling_, 1);
+  light_ = std::min(light, session.chosen_lights().size() - 1);
+  int second = static_cast<int>(second_);
+  ImGui::SetNextItemWidth(0.6f * ImGui::GetContentRegionAvail().x);
+  if (ImGui::Combo("second side", &second, "none\0other settings\0reference\0")) {
+    second_ = static_cast<SecondSide>(second);
+    second_key_.clear();
+  }
+  if (second_ != SecondSide::none) {
+    int flips = flip_mode_;
+    ImGui::RadioButton("split", &flips, 0);
+    ImGui::SameLine();
+    ImGui::RadioButton("flip (B)", &flips, 1);
+    flip_mode_ = flips != 0;
+  }
+  if (second_ == SecondSide::settings) {
+    if (ImGui::Button("second as first")) other_ = state;
+    ImGui::SameLine();
+    if (ImGui::Button("exchange")) {
+      ViewState first = second_state(state);
+      other_ = std::exchange(state, std::move(first));
+      techniques_.clear();
+    }
+  }
+  ImGui::Checkbox("error over the picture (X)", &error_);
+  ImGui::SameLine();
+  ImGui::Checkbox("scores", &scores_);
+  if (!wants_reference()) return;
+  show_reference();
+  show_scores();
+}
+
+void Comparison::show_reference() const {
+  const ProgressiveReference::Answer* answer = reference_ ? reference_->answer() : nullptr;
+  const std::string text = answer && answer->complete ? fmt::format("{} rays", answer->samples)
+                           : answer                   ? fmt::format("{} of {} rays", answer->samples, reference_->samples())
+                                                      : std::string("waits for a still view");
+  const double share = answer && answer->complete ? 1.0 : reference_ ? reference_->share() : 0.0;
+  ImGui::ProgressBar(static_cast<float>(share), {-1.0f, 0.0f}, fmt::format("reference: {}", text).c_str());
+}
+
+void Comparison::show_scores() const {
+  if (!score_[0] || !ImGui::BeginTable("scores", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
+  ImGui::TableSetupColumn("mask against the reference");
+  ImGui::TableSetupColumn("first");
+  ImGui::TableSetupColumn(second_ == SecondSide::settings ? "second" : "");
+  ImGui::TableHeadersRow();
+  const auto row = [&](const char* name, const char* format, double factor, auto value) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(name);
+    for (const auto& score : score_) {
+      ImGui::TableNextColumn();
+      if (score) ImGui::Text(format, factor * value(score->error));
+    }
+  };
+  row("mean error (mae)", "%.4f", 1.0, [](const VisibilityError& e) { return e.mae; });
+  row("rmse", "%.4f", 1.0, [](const VisibilityError& e) { return e.rmse; });
+  row("false shadow, area", "%.2f %%", 100.0, [](const VisibilityError& e) { return e.false_shadow.area; });
+  row("false light, area", "%.2f %%", 100.0, [](const VisibilityError& e) { return e.false_light.area; });
+  row("bias", "%+.4f", 1.0, [](const VisibilityError& e) { return e.bias; });
+  ImGui::EndTable();
+  if (reference_->answer()) ImGui::TextDisabled("mean of the reference: +- %.4f", reference_->answer()->lights[light_].confidence);
+}
+
+void Comparison::show_divider() {
+  if (second_ == SecondSide::none) return;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImDrawList* lines = ImGui::GetBackgroundDrawList();
+  const auto label = [&](const std::string& text, float x, bool before) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 at(before ? x - size.x - 12.0f : x + 12.0f, screen.y - size.y - 10.0f);
+    lines->AddRectFilled({at.x - 4.0f, at.y - 2.0f}, {at.x + size.x + 4.0f, at.y + size.y + 2.0f}, IM_COL32(0, 0, 0, 170), 3.0f);
+    lines->AddText(at, IM_COL32_WHITE, text.c_str());
+  };
+  if (flip_mode_) {
+    label(names_[flipped_ ? 1 : 0] + (flipped_ ? " (second)" : " (first)"), screen.x, true);
+    return;
+  }
+  const float x = divider_ * screen.x;
+  constexpr float k_grip = 12.0f;
+  ImGui::SetNextWindowPos({x - k_grip, 0.0f});
+  ImGui::SetNextWindowSize({2.0f * k_grip, screen.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+  constexpr ImGuiWindowFlags k_bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (ImGui::Begin("##divider", nullptr, k_bare)) {
+    ImGui::InvisibleButton("grip", {2.0f * k_grip, screen.y});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActive()) divider_ = std::clamp(ImGui::GetIO().MousePos.x / screen.x, 0.02f, 0.98f);
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+  lines->AddLine({x, 0.0f}, {x, screen.y}, IM_COL32(255, 255, 255, 220), 2.0f);
+  label(names_[0], x, true);
+  label(names_[1], x, false);
+}
+
+}  // namespace gnomon::viewer
