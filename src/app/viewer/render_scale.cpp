@@ -9,35 +9,52 @@ int RenderScale::step_of(float scale) {
   return static_cast<int>(std::lround(static_cast<float>(k_steps_per_octave) * std::log2(std::clamp(scale, k_least, k_most))));
 }
 
-float RenderScale::scale() const { return std::exp2(static_cast<float>(step_) / static_cast<float>(k_steps_per_octave)); }
+float RenderScale::scale_of(int step) { return std::exp2(static_cast<float>(step) / static_cast<float>(k_steps_per_octave)); }
+
+void RenderScale::forget() {
+  slow_ = fast_ = 0, fast_ms_ = fixed_ms_ = last_scale_ = 0.0f;
+  skip_ = k_settling;
+  wait_ = k_first_wait;
+}
+
+float RenderScale::budget_ms() const { return std::max(target_ms_, fixed_ms_ * 4.0f / 3.0f); }
+
+void RenderScale::go_to(int step, float ms) {
+  last_scale_ = scale(), last_ms_ = ms;
+  went_up_ = step > step_;
+  step_ = step;
+  slow_ = fast_ = 0, fast_ms_ = 0.0f;
+  skip_ = k_settling;
+}
 
 void RenderScale::add_frame(float ms) {
   if (skip_ > 0) {
     --skip_;
     return;
   }
+  if (last_scale_ > 0.0f) {
+    // ms = fixed + per_pixel * scale^2 through two points; noise must not make either negative.
+    const float areas = last_scale_ * last_scale_ - scale() * scale();
+    fixed_ms_ = std::clamp(ms - std::max((last_ms_ - ms) / areas, 0.0f) * scale() * scale(), 0.0f, ms);
+    last_scale_ = 0.0f;
+  }
   const int least = step_of(k_least), most = step_of(k_most);
-  if (ms > target_ms_) {
+  if (ms > budget_ms()) {
     fast_ = 0, fast_ms_ = 0.0f;
     // One slow frame may be somebody else's doing, unless it is far too slow.
-    if (++slow_ < 2 && ms < 2.0f * target_ms_) return;
+    if (++slow_ < 2 && ms < 2.0f * budget_ms()) return;
     if (step_ == least) return;
     if (went_up_) wait_ = std::min(2 * wait_, k_longest_wait);
-    const float octaves = 0.5f * std::log2(ms / target_ms_);  // of pixels, along a side
-    step_ = std::max(step_ - std::max(1, static_cast<int>(std::lround(octaves * k_steps_per_octave))), least);
-    went_up_ = false;
-    forget();
+    const float octaves = 0.5f * std::log2(ms / budget_ms());  // of pixels, along a side
+    go_to(std::max(step_ - std::max(1, static_cast<int>(std::lround(octaves * k_steps_per_octave))), least), ms);
     return;
   }
   slow_ = 0;
   fast_ms_ = std::max(fast_ms_, ms);
   if (step_ == most || ++fast_ < wait_) return;
-  // A step up is at most 2^(2/4) times the pixels.
-  if (fast_ms_ * std::exp2(2.0f / k_steps_per_octave) < target_ms_) {
-    ++step_;
-    went_up_ = true;
-    skip_ = k_settling;
-  }
+  // A step up has at most 2^(2/4) times the pixels.
+  const float next_ms = fixed_ms_ + (fast_ms_ - std::min(fixed_ms_, fast_ms_)) * std::exp2(2.0f / k_steps_per_octave);
+  if (next_ms < budget_ms()) go_to(step_ + 1, fast_ms_);
   fast_ = 0, fast_ms_ = 0.0f;
 }
 

@@ -213,7 +213,7 @@ void Viewer::apply(const ViewState& next) {
   try {
     session_->change(next.view, next.settings());
     techniques_.update(*session_, next.techniques);
-    if (next.techniques != state_.techniques) timings_.clear();
+    if (next.techniques != state_.techniques) timings_.clear(), render_scale_.forget();
     state_ = next;
     message_.clear();
   } catch (const Error& error) {
