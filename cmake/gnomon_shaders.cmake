@@ -2,6 +2,8 @@
 # (gpu/shader.h finds them by name). A shader's name is its path below src/: "frame/shade.comp".
 enable_language(ASM)
 set(GNOMON_SHADER_STAGES comp vert frag geom rgen rmiss rahit rchit)
+# Also those of the viewer, which compiles shaders that change while it runs (src/lab/shader_compiler.cpp).
+set(GNOMON_GLSLC_FLAGS --target-env=vulkan1.3 -Werror -O)
 
 # gnomon_compile_shader(NAME FILE): appends to GNOMON_SPIRV and GNOMON_SHADER_NAMES of the caller. Paths are relative to the build
 # folder, where the command runs: glslc does not escape blanks in the list of includes that it writes.
@@ -12,7 +14,7 @@ function(gnomon_compile_shader name file)
   file(RELATIVE_PATH source ${CMAKE_BINARY_DIR} ${file})
   file(RELATIVE_PATH includes ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR}/src)
   add_custom_command(OUTPUT ${spirv}
-    COMMAND ${GLSLC} --target-env=vulkan1.3 -Werror -O -I ${includes} -MD -MF shaders/${name}.spv.d -o shaders/${name}.spv ${source}
+    COMMAND ${GLSLC} ${GNOMON_GLSLC_FLAGS} -I ${includes} -MD -MF shaders/${name}.spv.d -o shaders/${name}.spv ${source}
     DEPENDS ${file} DEPFILE ${spirv}.d WORKING_DIRECTORY ${CMAKE_BINARY_DIR} COMMENT "glslc ${name}" VERBATIM)
   set(GNOMON_SPIRV ${GNOMON_SPIRV} ${spirv} PARENT_SCOPE)
   set(GNOMON_SHADER_NAMES ${GNOMON_SHADER_NAMES} ${name} PARENT_SCOPE)
@@ -52,7 +54,7 @@ function(gnomon_add_shader_library)
 #include \"base/error.h\"
 ${declarations}
 namespace gnomon {
-std::span<const uint32_t> find_shader(std::string_view name) {
+std::span<const uint32_t> built_in_shader(std::string_view name) {
   static const std::map<std::string_view, std::span<const uint32_t>> table = {
 ${entries}  };
   const auto found = table.find(name);

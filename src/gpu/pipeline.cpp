@@ -16,7 +16,7 @@ class ShaderModule {
   ShaderModule(Device& device, std::string_view name) : device_(device.handle()) {
     const auto words = find_shader(name);
     VkShaderModuleCreateInfo info = {VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
-    info.codeSize = words.size_bytes();
+    info.codeSize = words.size() * sizeof(uint32_t);
     info.pCode = words.data();
     vk_check(vkCreateShaderModule(device_, &info, nullptr, &module_), fmt::format("vkCreateShaderModule({})", name));
   }

@@ -64,6 +64,8 @@ class Session {
   void change(const ViewOptions& options, Settings settings);
   // A frame of another size (Frame::resize); techniques stay valid.
   void resize(uvec2 size);
+  // The same frame from the shaders as they are now (gpu/shader.h); the scene stays. Techniques of the old one must be gone.
+  void rebuild() { make_frame(lights_); }
 
   // Empty when `spec` can run here: on this device, under these lights. Else the reason.
   std::string unavailable(const TechniqueSpec& spec) const;

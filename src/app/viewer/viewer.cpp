@@ -132,10 +132,12 @@ void Viewer::draw() {
   if (opening_) show_progress(opening_->status(), opening_->share());
   comparison_.show_divider();
   panels_.show_message(message_);
+  panels_.show_message(shaders_.message());
   interface_.end_frame();
   const bool same_view = next.view.camera == state_.view.camera;
   if (!next.same_picture(state_)) apply(next);
   follow_size();
+  shaders_.update([&] { rebuild(); });
 
   if (!recorder_ || recorder_separates_ != wishes_.separate_passes) {
     recorder_separates_ = wishes_.separate_passes;
@@ -240,6 +242,12 @@ void Viewer::follow_size() {
   if (wanted == session_->options().size || now - window_changed_ < k_size_settles) return;
   state_.view.size = wanted;
   session_->resize(wanted);
+}
+
+void Viewer::rebuild() {
+  techniques_.clear();
+  session_->rebuild();
+  techniques_.update(*session_, state_.techniques);
 }
 
 void Viewer::take_screenshot() {

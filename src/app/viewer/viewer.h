@@ -13,6 +13,7 @@
 #include "app/viewer/render_scale.h"
 #include "app/viewer/scene_panel.h"
 #include "app/viewer/screen.h"
+#include "app/viewer/shader_reload.h"
 
 namespace gnomon::viewer {
 
@@ -54,6 +55,7 @@ class Viewer {
   void follow_size();
   void open(const std::string& scene);
   void follow_drops();
+  void rebuild();
   void take_screenshot();
 
   Screen& screen_;
@@ -69,6 +71,7 @@ class Viewer {
   Panels panels_;
   FlyCamera camera_;
   Timings timings_;
+  ShaderReload shaders_;
   std::unique_ptr<Recorder> recorder_;
   bool recorder_separates_ = false;
   std::string message_;
