@@ -2,6 +2,7 @@
 #include "lab/shader_sources.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "base/error.h"
@@ -19,7 +20,8 @@ bool is_one_of(const std::string& suffix, std::span<const std::string_view> suff
 
 std::vector<std::string> parts_of(const std::string& name) {
   std::vector<std::string> parts;
-  for (const auto& part : std::filesystem::path(name).replace_extension()) parts.push_back(part.string());
+  const std::filesystem::path stem = std::filesystem::path(name).replace_extension();
+  for (const auto& part : stem) parts.push_back(part.string());
   return parts;
 }
 
