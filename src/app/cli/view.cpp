@@ -40,11 +40,11 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   if (!wishes.adapt_size) wishes.scale = arguments.scale;
   wishes.target_ms = arguments.frame_ms;
   viewer::ViewerOptions how{arguments.frames, arguments.screenshot, {}};
-  how.comparison.error = arguments.error;
+  how.sides.error = arguments.error;
   if (!arguments.split.empty()) {
     const bool reference = arguments.split == "reference";
-    how.comparison.second = reference ? viewer::SecondSide::reference : viewer::SecondSide::settings;
-    if (!reference) how.comparison.technique = find_technique(arguments.split).name;
+    how.sides.second = reference ? viewer::SecondSide::reference : viewer::SecondSide::settings;
+    if (!reference) how.sides.technique = find_technique(arguments.split).name;
   }
   viewer::RecentFiles recent;
   auto opened = viewer::open_first(screen, std::move(state));

@@ -1,137 +1,122 @@
-// The sides' pictures and scores; what the user sees of them is in comparison_panel.cpp.
 #include "app/viewer/comparison.h"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "lab/reference_set.h"
+#include "base/file.h"
+#include "base/log.h"
+#include "base/shell.h"
 
 namespace gnomon::viewer {
 namespace {
 
-// A technique's first frames may differ from the later ones: caches fill.
-constexpr int k_settling_frames = 3;
-// Reading a mask back and comparing it takes a few milliseconds.
-constexpr std::chrono::milliseconds k_between_scores{300};
-
-bool of_view(const std::string& key) {
-  return key.starts_with("light.") || key.starts_with("camera.") || key.starts_with("scene.");
+bool of_technique(const std::string& assignment) {
+  const size_t at = assignment.find('@'), dot = assignment.find('.');
+  const size_t begin = at == assignment.npos || at > dot ? 0 : at + 1;
+  return Settings::is_technique_part(assignment.substr(begin, dot - begin));
 }
 
-bool has_history(const Session& session, const TechniqueSet& techniques) {
-  for (size_t light = 0; light < techniques.techniques().size(); ++light) {
-    const SettingsMap settings = session.settings_of(techniques.spec(light), light);
-    const auto temporal = settings.find("temporal");
-    if (temporal != settings.end() && temporal->second.number("history") > 0.0) return true;
-  }
-  return false;
+// A line's pictures are named relative to its folder.
+void move_pictures(nlohmann::json& images, const std::string& folder) {
+  if (images.is_string()) images = folder + "/" + images.get<std::string>();
+  if (!images.is_structured()) return;
+  for (auto& image : images) move_pictures(image, folder);
+}
+
+std::string last_line(const std::string& text) {
+  const size_t end = text.find_last_not_of('\n');
+  if (end == text.npos) return "it says nothing";
+  const size_t begin = text.rfind('\n', end);
+  return text.substr(begin == text.npos ? 0 : begin + 1, end - (begin == text.npos ? 0 : begin));
 }
 
 }  // namespace
 
-Comparison::Comparison(const Start& start, const ViewState& state) : second_(start.second), other_(state), error_(start.error) {
-  if (!start.technique.empty()) other_.techniques = {start.technique};
-}
-
-float Comparison::divider() const {
-  if (second_ == SecondSide::none) return 1.0f;
-  if (flip_mode_) return flipped_ ? 0.0f : 1.0f;
-  return divider_;
-}
-
-ViewState Comparison::second_state(const ViewState& first) const {
-  ViewState state = other_;
-  state.view = first.view;
-  std::erase_if(state.edits, [](const auto& edit) { return of_view(edit.first); });
-  for (const auto& [key, value] : first.edits) {
-    if (of_view(key)) state.edits[key] = value;
+bool Comparison::add(const ViewState& state) {
+  Row row = {state.techniques, {}};
+  const auto words = state.words("compare", "--techniques", state.view.size);
+  for (size_t i = 0; i + 1 < words.size(); ++i) {
+    if (words[i] == "--set" && of_technique(words[i + 1])) row.assignments.push_back(words[i + 1]);
   }
-  return state;
+  std::sort(row.assignments.begin(), row.assignments.end());
+  if (std::find(rows_.begin(), rows_.end(), row) != rows_.end()) return false;
+  rows_.push_back(std::move(row));
+  return true;
 }
 
-void Comparison::draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
-  names_ = {fmt::format("{}", fmt::join(state.techniques, ", ")),
-            second_ == SecondSide::reference ? "reference" : fmt::format("{}", fmt::join(other_.techniques, ", "))};
-  if (second_ == SecondSide::settings) draw_settings(recorder, session, state, canvas);
-  if (second_ == SecondSide::reference) draw_reference(recorder, session, canvas);
-  if (second_ != SecondSide::settings) techniques_.clear(), score_[1].reset();
+std::string Comparison::label(size_t row) const {
+  return fmt::format("{} {}", fmt::join(rows_[row].techniques, ","), fmt::join(rows_[row].assignments, " "));
 }
 
-void Comparison::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
-  const ViewState second = second_state(state);
-  std::vector<std::byte> key = view_key(session.frame());
-  const std::string command = second.command(session.options().size) + (error_ ? "error" : "");
-  key.insert(key.end(), reinterpret_cast<const std::byte*>(command.data()), reinterpret_cast<const std::byte*>(command.data() + command.size()));
-  if (key != second_key_) settling_ = k_settling_frames;
-  second_key_ = std::move(key);
-  if (settling_ == 0) return;
-  const auto back_to_first = [&] { session.change(state.view, state.settings()); };
-  try {
-    session.change(second.view, second.settings());
-    techniques_.update(session, second.techniques);
-    if (!has_history(session, techniques_)) --settling_;
-    recorder.begin();
-    session.record_frame(recorder, techniques_.techniques());
-    record_error(recorder, session.frame());
-    canvas.record_picture(recorder, session.frame(), 1);
-    recorder.finish();
-    score_[1] = score(session);
-    back_to_first();
-  } catch (const Error&) {
-    second_ = SecondSide::none;
-    back_to_first();
-    throw;
+std::filesystem::path Comparison::row_folder(size_t row) const { return folder_ / fmt::format("{:02}", row + 1); }
+
+void Comparison::write_report(const ViewState& now, uvec2 size, const std::filesystem::path& folder) {
+  GNOMON_ASSERT(!busy() && !rows_.empty());
+  folder_ = folder;
+  make_folder(folder_);
+  steps_.clear();
+  for (size_t row = 0; row < rows_.size(); ++row) {
+    ViewState state = now;
+    state.techniques = rows_[row].techniques;
+    // Techniques as collected, all else as it is now: only then can rows be compared.
+    std::vector<std::string> words = state.words("compare", "--techniques", size);
+    for (size_t i = 0; i + 1 < words.size();) {
+      const bool goes = words[i] == "--set" && of_technique(words[i + 1]);
+      goes ? void(words.erase(words.begin() + static_cast<std::ptrdiff_t>(i), words.begin() + static_cast<std::ptrdiff_t>(i) + 2)) : void(++i);
+    }
+    for (const std::string& assignment : rows_[row].assignments) words.insert(words.end(), {"--set", assignment});
+    words.insert(words.end(), {"-o", row_folder(row).string()});
+    words.insert(words.end(), device_.begin(), device_.end());
+    steps_.push_back(std::move(words));
   }
+  steps_.push_back({"report", folder_.string()});
+  step_ = 0;
+  next();
 }
 
-void Comparison::draw_reference(Recorder& recorder, Session& session, Canvas& canvas) {
-  if (!reference_ || !reference_->answer()) return;
-  std::vector<std::byte> key = view_key(session.frame());
-  const std::string settings = fmt::format("reference {} {}", reference_->answer()->samples, session.settings().block("frame").words().size());
-  key.insert(key.end(), reinterpret_cast<const std::byte*>(settings.data()), reinterpret_cast<const std::byte*>(settings.data() + settings.size()));
-  const auto frame_words = std::as_bytes(std::span(session.settings().block("frame").words()));
-  key.insert(key.end(), frame_words.begin(), frame_words.end());
-  if (key == second_key_) return;
-  second_key_ = std::move(key);
-  // The surface buffer is that of the last frame, which had the same view.
-  recorder.begin();
-  session.frame().record_shade(recorder, reference_->error_view().reference());
-  canvas.record_picture(recorder, session.frame(), 1);
-  recorder.finish();
+void Comparison::next() {
+  if (step_ + 1 == steps_.size()) merge();
+  log_info("{}", command());
+  std::vector<std::string> words = {std::filesystem::read_symlink("/proc/self/exe").string()};
+  words.insert(words.end(), steps_[step_].begin(), steps_[step_].end());
+  child_ = std::make_unique<ChildProcess>(words);
 }
 
-void Comparison::record_error(Recorder& recorder, const Frame& frame) const {
-  if (error_ && reference_ && reference_->answer()) reference_->error_view().record(recorder, frame, light_);
+std::string Comparison::command() const {
+  std::string command = "gnomon";
+  for (const std::string& word : steps_[step_]) command += " " + shell_quoted(word);
+  return command;
 }
 
-std::optional<Comparison::Score> Comparison::score(Session& session) const {
-  const ProgressiveReference::Answer* answer = reference_ ? reference_->answer() : nullptr;
-  if (!answer || light_ >= answer->lights.size()) return std::nullopt;
-  const ReferenceResult& truth = answer->lights[light_];
-  // A view may show no receiver.
-  if (std::find(truth.receiver.begin(), truth.receiver.end(), 1) == truth.receiver.end()) return std::nullopt;
-  return Score{visibility_error(session.frame().read_mask(light_), truth.visibility, truth.receiver), answer->samples};
+void Comparison::update() {
+  if (!busy() || child_->running()) return;
+  const auto child = std::move(child_);
+  if (child->exit_code() != 0) fail("{}\nended with {}: {}", command(), child->exit_code(), last_line(child->output()));
+  if (++step_ < steps_.size()) return next();
+  report_ = std::filesystem::absolute(folder_ / "report.html");
+  log_info("report: {}", report_.string());
 }
 
-void Comparison::follow(Session& session) {
-  if (!wants_reference()) {
-    if (reference_) reference_->give_up();
-    score_ = {};
-    return;
+void Comparison::stop() { child_.reset(); }
+
+// The rows' lines as one result: `gnomon report FOLDER` reads it like any other.
+void Comparison::merge() const {
+  std::string lines;
+  for (size_t row = 0; row < rows_.size(); ++row) {
+    const std::string text = read_text_file(row_folder(row) / "results.jsonl");
+    for (size_t begin = 0; begin < text.size();) {
+      const size_t end = std::min(text.find('\n', begin), text.size());
+      nlohmann::json line = nlohmann::json::parse(text.substr(begin, end - begin));
+      if (line.contains("images")) move_pictures(line["images"], row_folder(row).filename().string());
+      lines += line.dump() + "\n";
+      begin = end + 1;
+    }
   }
-  if (!reference_) reference_ = std::make_unique<ViewReference>(session, rasterised_caster_triangles(session));
-  const bool changed = reference_->update(session);
-  if (changed) settling_ = std::max(settling_, 1);  // the second side's scores, too
-  if (!reference_->answer()) {
-    score_ = {};
-    return;
-  }
-  const auto now = std::chrono::steady_clock::now();
-  if (!changed && now - scored_ < k_between_scores) return;
-  scored_ = now;
-  score_[0] = score(session);
+  write_file(folder_ / "results.jsonl", lines);
 }
 
 }  // namespace gnomon::viewer

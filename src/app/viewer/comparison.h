@@ -1,76 +1,56 @@
-// Two sides of one view: settings beside other settings or the reference, the error of what is shown, and its scores.
+// Collected settings, and the report that `gnomon compare` makes of them: each is measured by a program of its own, so that the window
+// lives on and every row has a command.
 #pragma once
 
-#include <array>
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "app/viewer/canvas.h"
-#include "app/viewer/technique_set.h"
-#include "app/viewer/view_reference.h"
 #include "app/viewer/view_state.h"
-#include "measure/visibility_error.h"
+#include "base/child_process.h"
 
 namespace gnomon::viewer {
 
-enum class SecondSide { none, settings, reference };
-
 class Comparison {
  public:
-  // How it starts.
-  struct Start {
-    SecondSide second = SecondSide::none;
-    std::string technique;  // of other settings; empty: as the first side
-    bool error = false;     // error over the picture
-  };
-  Comparison(const Start& start, const ViewState& state);
+  // `device`: the words that choose the same device.
+  explicit Comparison(std::vector<std::string> device) : device_(std::move(device)) {}
 
-  // `light`: whose error is shown. Exchanging the sides changes `state`.
-  void show(ViewState& state, const Session& session, size_t light);
-  void show_divider();  // and the names of the sides, over the picture
+  // Technique and settings as they are now; false where the list has them.
+  bool add(const ViewState& state);
+  void remove(size_t row) { rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(row)); }
+  size_t size() const { return rows_.size(); }
+  std::string label(size_t row) const;
 
-  // The second side's picture, where it is out of date; the session then shows `state` again. Throws Error where the second side's settings
-  // cannot be shown: there is then no second side.
-  void draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas);
-  // Behind the first side's shading.
-  void record_error(Recorder& recorder, const Frame& frame) const;
-  // Behind each frame: traces on, and computes the scores of what the frame's mask holds now. Throws Error.
-  void follow(Session& session);
-
-  // Share of the window's width that belongs to the first side.
-  float divider() const;
-  void flip() { flipped_ = !flipped_; }
-  void toggle_error() { error_ = !error_; }
-  // What was drawn no longer holds (other shaders).
-  void forget() { second_key_.clear(); }
-  bool wants_reference() const { return second_ == SecondSide::reference || error_ || scores_; }
-  bool waits_for_reference() const { return wants_reference() && !(reference_ && reference_->complete()); }
+  // Measures every row in the view of `now`: its scene, camera and lights. Throws Error where the folder cannot be made.
+  void write_report(const ViewState& now, uvec2 size, const std::filesystem::path& folder);
+  // Call it once a frame: goes on with the next command where one has ended. Throws Error where one failed: the report is then given up.
+  void update();
+  void stop();
+  bool busy() const { return child_ != nullptr; }
+  // Of the command at work, to be shown; and how many were before it and are to be in all.
+  std::string command() const;
+  size_t done() const { return step_; }
+  size_t steps() const { return steps_.size(); }
+  // Of the last finished one; empty before.
+  const std::filesystem::path& report() const { return report_; }
 
  private:
-  struct Score {
-    VisibilityError error;
-    int samples = 0;  // of the reference that it was compared with
+  struct Row {
+    std::vector<std::string> techniques, assignments;  // of the technique's parts: "pcf.size=5"
+    bool operator==(const Row&) const = default;
   };
+  void next();
+  void merge() const;
+  std::filesystem::path row_folder(size_t row) const;
 
-  ViewState second_state(const ViewState& first) const;
-  void draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas);
-  void draw_reference(Recorder& recorder, Session& session, Canvas& canvas);
-  std::optional<Score> score(Session& session) const;
-  void show_reference() const;
-  void show_scores() const;
-
-  SecondSide second_;
-  ViewState other_;           // of SecondSide::settings; camera and lights are those of the first side
-  TechniqueSet techniques_;   // of other_
-  std::vector<std::byte> second_key_;  // of what the second picture shows
-  int settling_ = 0;          // frames that the second picture still needs
-  bool flip_mode_ = false, flipped_ = false;
-  float divider_ = 0.5f;
-  bool error_, scores_ = false;
-  size_t light_ = 0;
-  std::unique_ptr<ViewReference> reference_;  // from its first use on
-  std::array<std::optional<Score>, 2> score_;
-  std::array<std::string, 2> names_;
-  std::chrono::steady_clock::time_point scored_;
+  std::vector<std::string> device_;
+  std::vector<Row> rows_;
+  std::filesystem::path folder_, report_;
+  std::vector<std::vector<std::string>> steps_;  // the words of each command, without the program's name
+  size_t step_ = 0;
+  std::unique_ptr<ChildProcess> child_;
 };
 
 }  // namespace gnomon::viewer

@@ -23,7 +23,7 @@ bool begin_main_panel() {
   return ImGui::Begin("gnomon");
 }
 
-void Panels::show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques, const Timings& timings) {
+void Panels::show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques) {
   if (begin_main_panel()) {
     window(wishes, session);
     if (ImGui::CollapsingHeader("Technique", ImGuiTreeNodeFlags_DefaultOpen)) technique(state, session, techniques);
@@ -31,11 +31,6 @@ void Panels::show(ViewState& state, Wishes& wishes, Session& session, const Tech
       editor_.search_field();
       technique_params(state, session, techniques.spec(light_));
       scene_params(state, session);
-    }
-    if (ImGui::CollapsingHeader("Cost", ImGuiTreeNodeFlags_DefaultOpen)) {
-      ImGui::Text("memory of the technique: %.1f MiB", static_cast<double>(techniques.memory_bytes()) / 1048576.0);
-      ImGui::Checkbox("separate the passes (full barriers)", &wishes.separate_passes);
-      timings.show(session.device().info().software);
     }
   }
   ImGui::End();

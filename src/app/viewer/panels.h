@@ -3,7 +3,6 @@
 
 #include "app/viewer/param_editor.h"
 #include "app/viewer/technique_set.h"
-#include "app/viewer/timings.h"
 #include "app/viewer/view_state.h"
 
 namespace gnomon::viewer {
@@ -28,7 +27,7 @@ class Panels {
   explicit Panels(const Settings& start) : start_(start) {}
 
   // Changes `state` and `wishes` as the user wants them; the session still shows the old state.
-  void show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques, const Timings& timings);
+  void show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques);
   // A box over the picture, until the user closes it or `text` is empty.
   void show_message(std::string& text) const;
   size_t light() const { return light_; }  // whose technique is shown

@@ -51,10 +51,4 @@ void TechniqueSet::update(Session& session, const std::vector<std::string>& name
   }
 }
 
-uint64_t TechniqueSet::memory_bytes() const {
-  uint64_t sum = 0;
-  for (const Entry& entry : entries_) sum += entry.bytes;
-  return sum;
-}
-
 }  // namespace gnomon::viewer

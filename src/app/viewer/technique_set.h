@@ -14,7 +14,7 @@ class TechniqueSet {
 
   std::span<const std::unique_ptr<Technique>> techniques() const { return techniques_; }
   const TechniqueSpec& spec(size_t light) const { return *entries_[light].spec; }
-  uint64_t memory_bytes() const;
+  uint64_t memory_bytes(size_t light) const { return entries_[light].bytes; }
 
  private:
   struct Entry {

@@ -1,58 +1,34 @@
 #include "app/viewer/timings.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 
 namespace gnomon::viewer {
-namespace {
-
-constexpr size_t k_frames = 30;
-
-template <class Value>
-double mean(const std::deque<FrameResult>& frames, Value value) {
-  double sum = 0.0;
-  for (const FrameResult& frame : frames) sum += value(frame);
-  return sum / static_cast<double>(frames.size());
-}
-
-void row(const char* name, double ms, const PassResult* pass) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(name);
-  ImGui::TableNextColumn();
-  ImGui::Text("%8.3f", ms);
-  if (!pass) return;
-  ImGui::TableNextColumn();
-  ImGui::Text("%u", pass->draws + pass->dispatches);
-}
-
-}  // namespace
 
 void Timings::add(const FrameResult& frame) {
-  if (!frames_.empty() && frames_.back().passes.size() != frame.passes.size()) frames_.clear();
+  if (paused) return;
+  const auto same = [](const PassResult& a, const PassResult& b) { return a.name == b.name; };
+  if (!frames_.empty() && !std::equal(frame.passes.begin(), frame.passes.end(), frames_.back().passes.begin(), frames_.back().passes.end(), same)) {
+    clear();
+  }
   frames_.push_back(frame);
   if (frames_.size() > k_frames) frames_.pop_front();
 }
 
-void Timings::show(bool software) const {
-  if (frames_.empty()) return;
-  const bool alone = frames_.back().submission_ms > 0.0;
-  ImGui::TextDisabled("mean of %zu frames%s", frames_.size(),
-                      !software ? "" : alone ? "; wall clock, each pass alone" : "; separate the passes to time each");
-  if (!ImGui::BeginTable("passes", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
-  ImGui::TableSetupColumn("pass");
-  ImGui::TableSetupColumn(software ? "ms" : "GPU ms");
-  ImGui::TableSetupColumn("calls");
-  ImGui::TableHeadersRow();
-  for (size_t i = 0; i < frames_.back().passes.size() && (alone || !software); ++i) {
-    const PassResult& pass = frames_.back().passes[i];
-    row(pass.name.c_str(), mean(frames_, [&](const FrameResult& f) { return alone ? f.passes[i].wall_ms : f.passes[i].gpu_ms; }), &pass);
-  }
-  if (!software) row("frame, GPU", mean(frames_, [](const FrameResult& f) { return f.gpu_ms; }), nullptr);
-  row("frame, wall", mean(frames_, [](const FrameResult& f) { return f.wall_ms; }), nullptr);
-  row("recording", mean(frames_, [](const FrameResult& f) { return f.record_ms; }), nullptr);
-  ImGui::EndTable();
+double Timings::stage_ms(const FrameResult& frame, PassStage stage) const {
+  double sum = 0.0;
+  for (size_t i = 0; i < frame.passes.size(); ++i) sum += frame.passes[i].stage == stage ? pass_ms(frame, i) : 0.0;
+  return sum;
+}
+
+double Timings::sum_ms(const FrameResult& frame) const {
+  double sum = 0.0;
+  for (size_t i = 0; i < frame.passes.size(); ++i) sum += pass_ms(frame, i);
+  return sum;
+}
+
+const char* Timings::clock() const {
+  if (!software_) return "GPU time";
+  return of_passes() ? "wall clock, each pass alone" : "wall clock of whole frames; separate the passes to time each";
 }
 
 }  // namespace gnomon::viewer

@@ -1,20 +1,46 @@
-// What the last frames cost.
+// What the last frames cost, pass by pass.
 #pragma once
 
 #include <deque>
 
+#include "base/statistics.h"
 #include "gpu/recorder.h"
 
 namespace gnomon::viewer {
 
 class Timings {
  public:
+  static constexpr size_t k_frames = 300;
+
+  // `software`: GPU timestamps lie there, and only the wall clock counts - of the frame, and of passes that are submitted alone.
+  explicit Timings(bool software) : software_(software) {}
+
   void add(const FrameResult& frame);
-  void clear() { frames_.clear(); }  // passes of another technique have other names
-  // A table of the passes, and the frame; `software`: GPU timestamps lie there, and only the wall clock counts.
-  void show(bool software) const;
+  void clear() { frames_.clear(); }  // other passes, or other clocks
+  bool paused = false;               // what is added is dropped
+
+  const std::deque<FrameResult>& frames() const { return frames_; }
+  // Passes apart, or of whole frames only?
+  bool of_passes() const { return !frames_.empty() && (!software_ || alone()); }
+  double pass_ms(const FrameResult& frame, size_t pass) const { return alone() ? frame.passes[pass].wall_ms : frame.passes[pass].gpu_ms; }
+  double stage_ms(const FrameResult& frame, PassStage stage) const;
+  double sum_ms(const FrameResult& frame) const;
+  // Of the whole frame, on the clock of the passes.
+  double frame_ms(const FrameResult& frame) const { return software_ ? frame.wall_ms : frame.gpu_ms; }
+  const char* clock() const;
+
+  // Over all frames; there is one at least.
+  template <class Value>
+  Summary summary(Value value) const {
+    std::vector<double> samples;
+    for (const FrameResult& frame : frames_) samples.push_back(value(frame));
+    return summarise(samples);
+  }
 
  private:
+  bool alone() const { return frames_.back().submission_ms > 0.0; }
+
+  bool software_;
   std::deque<FrameResult> frames_;
 };
 

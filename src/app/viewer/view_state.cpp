@@ -36,11 +36,18 @@ void ViewState::choose_technique(const TechniqueSpec& spec, LightKind kind, std:
 }
 
 std::string ViewState::command(uvec2 size) const {
-  std::string command = fmt::format("gnomon render {} --size {}x{}", shell_quoted(view.scene), size.x, size.y);
-  if (view.samples != 1) command += fmt::format(" --samples {}", view.samples);
-  if (!view.camera.empty()) command += " --camera " + shell_quoted(view.camera);
-  for (const std::string& light : view.lights) command += " --light " + shell_quoted(light);
-  command += fmt::format(" --technique {}", fmt::join(techniques, ","));
+  std::string command = "gnomon";
+  for (const std::string& word : words("render", "--technique", size)) command += " " + shell_quoted(word);
+  return command;
+}
+
+std::vector<std::string> ViewState::words(const std::string& subcommand, const std::string& technique_option, uvec2 size) const {
+  std::vector<std::string> words = {subcommand, view.scene, "--size", fmt::format("{}x{}", size.x, size.y)};
+  const auto add_option = [&](const char* option, const std::string& value) { words.insert(words.end(), {option, value}); };
+  if (view.samples != 1) add_option("--samples", std::to_string(view.samples));
+  if (!view.camera.empty()) add_option("--camera", view.camera);
+  for (const std::string& light : view.lights) add_option("--light", light);
+  add_option(technique_option.c_str(), fmt::format("{}", fmt::join(techniques, ",")));
   const auto add = [&](const std::string& key, const std::string& value) {
     const size_t at = key.find('@');
     const std::string id = key.substr(at == key.npos ? 0 : at + 1, key.find('.') - (at == key.npos ? 0 : at + 1));
@@ -48,14 +55,14 @@ std::string ViewState::command(uvec2 size) const {
     const bool used = !Settings::is_technique_part(id) || std::any_of(techniques.begin(), techniques.end(), [&](const std::string& name) {
       return find_technique(name).default_settings().contains(id);
     });
-    if (used) command += " --set " + shell_quoted(key + "=" + value);
+    if (used) add_option("--set", key + "=" + value);
   };
   for (const std::string& assignment : base.assignments()) {
     const size_t equals = assignment.find('=');
     if (!edits.contains(assignment.substr(0, equals))) add(assignment.substr(0, equals), assignment.substr(equals + 1));
   }
   for (const auto& [key, value] : edits) add(key, value);
-  return command;
+  return words;
 }
 
 bool ViewState::same_picture(const ViewState& other) const {

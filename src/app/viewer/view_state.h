@@ -20,6 +20,8 @@ struct ViewState {
   void choose_technique(const TechniqueSpec& spec, LightKind kind, std::span<const Light> lights);
   // `gnomon render ...` of the same picture, without its output.
   std::string command(uvec2 size) const;
+  // The same as words: `render SCENE --size ... --technique ... --set ...`, or another subcommand that takes techniques.
+  std::vector<std::string> words(const std::string& subcommand, const std::string& technique_option, uvec2 size) const;
   bool same_picture(const ViewState& other) const;
 };
 

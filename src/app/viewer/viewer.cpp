@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
+#include <thread>
 
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
-#include "base/shell.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -21,17 +20,12 @@ constexpr std::chrono::milliseconds k_size_settles{200};
 constexpr float k_software_start = 0.35f;
 // The longest step of the camera: after a slow frame it does not leap.
 constexpr float k_longest_step_s = 0.25f;
+// Between pictures while a report is measured on the same device.
+constexpr std::chrono::milliseconds k_measuring_interval(500);
 
 uvec2 scaled(uvec2 size, float scale) {
   const vec2 exact = glm::round(vec2(size) * scale);
   return glm::clamp(uvec2(exact), uvec2(1), uvec2(16384));
-}
-
-std::filesystem::path free_name() {
-  for (int number = 0;; ++number) {
-    const std::filesystem::path path = fmt::format("gnomon_{:04}.png", number);
-    if (!std::filesystem::exists(path)) return path;
-  }
 }
 
 }  // namespace
@@ -66,7 +60,7 @@ Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recen
       interface_(screen.interface),
       panels_(session_->settings()),
       camera_(session_->camera(), session_->scene().bounds().radius()),
-      comparison_(options.comparison, state_),
+      sides_(options.sides, state_),
       render_scale_(wishes.target_ms, device_.info().software ? k_software_start : 1.0f),
       last_frame_(std::chrono::steady_clock::now()) {
   if (!session_->scene().source.empty()) recent_.add(session_->scene().source);
@@ -82,8 +76,9 @@ std::optional<Opened> Viewer::run() {
     window_.poll(!visible);
     follow_drops();
     if (!visible) continue;
+    if (outputs_.measuring()) std::this_thread::sleep_for(k_measuring_interval);
     draw();
-    if (!comparison_.waits_for_reference()) ++frame;
+    if (!sides_.waits_for_reference()) ++frame;
   }
   if (!next_ && !options_.screenshot.empty() && screen_.canvas.image()) write_png(options_.screenshot, screen_.canvas.read());
   return std::move(next_);
@@ -125,14 +120,17 @@ void Viewer::draw() {
       if (const auto scene = scene_panel_.show(state_.view.scene, recent_)) open(*scene);
     }
     ImGui::End();
-    panels_.show(next, wishes_, *session_, techniques_, timings_);
-    if (begin_main_panel() && ImGui::CollapsingHeader("Compare")) comparison_.show(next, *session_, panels_.light());
+    panels_.show(next, wishes_, *session_, techniques_);
+    if (begin_main_panel() && ImGui::CollapsingHeader("Compare")) sides_.show(next, *session_, panels_.light());
     ImGui::End();
+    measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
+    outputs_.show(next, *session_);
   }
   if (opening_) show_progress(opening_->status(), opening_->share());
-  comparison_.show_divider();
+  sides_.show_divider();
   panels_.show_message(message_);
   panels_.show_message(shaders_.message());
+  panels_.show_message(outputs_.message());
   interface_.end_frame();
   const bool same_view = next.view.camera == state_.view.camera;
   if (!next.same_picture(state_)) apply(next);
@@ -148,18 +146,19 @@ void Viewer::draw() {
   draw_second();
   recorder_->begin();
   session_->record_frame(*recorder_, techniques_.techniques());
-  comparison_.record_error(*recorder_, session_->frame());
+  sides_.record_error(*recorder_, session_->frame());
   screen_.canvas.record_picture(*recorder_, session_->frame(), 0);
-  screen_.canvas.record_window(*recorder_, comparison_.divider(), interface_);
+  screen_.canvas.record_window(*recorder_, sides_.divider(), interface_);
   timings_.add(recorder_->finish());
   screen_.swapchain.set_vsync(wishes_.vsync);
   // Waiting for the screen is no work: it must not make the picture smaller.
   const std::chrono::duration<float, std::milli> work = std::chrono::steady_clock::now() - now;
   screen_.swapchain.present(screen_.canvas.image());
   // A reference is for one size: while it is wanted, only a camera that moves changes it.
-  if (!comparison_.wants_reference() || !same_view) render_scale_.add_frame(work.count());
-  guarded([&] { comparison_.follow(*session_); });
-  if (std::exchange(wishes_.screenshot, false)) take_screenshot();
+  if (!sides_.wants_reference() || !same_view) render_scale_.add_frame(work.count());
+  guarded([&] { sides_.follow(*session_); });
+  if (std::exchange(wishes_.screenshot, false)) outputs_.want_picture(".png");
+  outputs_.take(state_, *session_);
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), state_.command(session_->options().size).c_str());
 }
 
@@ -167,8 +166,8 @@ void Viewer::handle_keys() {
   if (window_.pressed(GLFW_KEY_F12)) wishes_.screenshot = true;
   if (window_.pressed(GLFW_KEY_F1)) wishes_.interface = !wishes_.interface;
   if (!interface_.takes_keys()) {
-    if (window_.pressed(GLFW_KEY_B)) comparison_.flip();
-    if (window_.pressed(GLFW_KEY_X)) comparison_.toggle_error();
+    if (window_.pressed(GLFW_KEY_B)) sides_.flip();
+    if (window_.pressed(GLFW_KEY_X)) sides_.toggle_error();
   }
   if (window_.pressed(GLFW_KEY_Q) && window_.control_held()) window_.close();
 }
@@ -198,7 +197,7 @@ void Viewer::move_camera(ViewState& state, float seconds) {
 }
 
 void Viewer::draw_second() {
-  guarded([&] { comparison_.draw_second(*recorder_, *session_, state_, screen_.canvas); });
+  guarded([&] { sides_.draw_second(*recorder_, *session_, state_, screen_.canvas); });
 }
 
 // What the user may have asked for is shown; what validation says, and a lost device, end the program.
@@ -246,15 +245,9 @@ void Viewer::follow_size() {
 
 void Viewer::rebuild() {
   techniques_.clear();
+  sides_.forget();
   session_->rebuild();
   techniques_.update(*session_, state_.techniques);
-}
-
-void Viewer::take_screenshot() {
-  const std::filesystem::path path = free_name();
-  write_png(path, session_->frame().read_display());
-  std::cout << path.string() << std::endl;
-  log_info("{} -o {}", state_.command(session_->options().size), shell_quoted(path.string()));
 }
 
 }  // namespace gnomon::viewer

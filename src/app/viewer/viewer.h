@@ -6,21 +6,23 @@
 #include <memory>
 #include <optional>
 
-#include "app/viewer/comparison.h"
 #include "app/viewer/fly_camera.h"
 #include "app/viewer/opening.h"
+#include "app/viewer/measure_panel.h"
+#include "app/viewer/outputs.h"
 #include "app/viewer/panels.h"
 #include "app/viewer/render_scale.h"
 #include "app/viewer/scene_panel.h"
 #include "app/viewer/screen.h"
 #include "app/viewer/shader_reload.h"
+#include "app/viewer/sides.h"
 
 namespace gnomon::viewer {
 
 struct ViewerOptions {
   uint32_t frames = 0;               // ends after so many; 0: when the user closes the window
   std::filesystem::path screenshot;  // the last frame with the interface; with a reference that is complete, where one is wanted
-  Comparison::Start comparison;
+  Sides::Start sides;
 };
 
 // A scene that has been opened, and what it is shown with.
@@ -56,7 +58,6 @@ class Viewer {
   void open(const std::string& scene);
   void follow_drops();
   void rebuild();
-  void take_screenshot();
 
   Screen& screen_;
   Window& window_;
@@ -71,11 +72,13 @@ class Viewer {
   Panels panels_;
   FlyCamera camera_;
   Timings timings_;
+  MeasurePanel measure_;
   ShaderReload shaders_;
+  Outputs outputs_;
   std::unique_ptr<Recorder> recorder_;
   bool recorder_separates_ = false;
   std::string message_;
-  Comparison comparison_;
+  Sides sides_;
   std::optional<Opening> opening_;
   std::optional<Opened> next_;
   ScenePanel scene_panel_;

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/viewer/comparison.h"
+#include "app/viewer/sides.h"
 
 namespace gnomon::viewer {
 
-void Comparison::show(ViewState& state, const Session& session, size_t light) {
+void Sides::show(ViewState& state, const Session& session, size_t light) {
   if (light != light_) score_ = {}, settling_ = std::max(settling_, 1);
   light_ = std::min(light, session.chosen_lights().size() - 1);
   int second = static_cast<int>(second_);
@@ -42,7 +42,7 @@ void Comparison::show(ViewState& state, const Session& session, size_t light) {
   show_scores();
 }
 
-void Comparison::show_reference() const {
+void Sides::show_reference() const {
   const ProgressiveReference::Answer* answer = reference_ ? reference_->answer() : nullptr;
   const std::string text = answer && answer->complete ? fmt::format("{} rays", answer->samples)
                            : answer                   ? fmt::format("{} of {} rays", answer->samples, reference_->samples())
@@ -51,7 +51,7 @@ void Comparison::show_reference() const {
   ImGui::ProgressBar(static_cast<float>(share), {-1.0f, 0.0f}, fmt::format("reference: {}", text).c_str());
 }
 
-void Comparison::show_scores() const {
+void Sides::show_scores() const {
   if (!score_[0] || !ImGui::BeginTable("scores", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
   ImGui::TableSetupColumn("mask against the reference");
   ImGui::TableSetupColumn("first");
@@ -75,7 +75,7 @@ void Comparison::show_scores() const {
   if (reference_->answer()) ImGui::TextDisabled("mean of the reference: +- %.4f", reference_->answer()->lights[light_].confidence);
 }
 
-void Comparison::show_divider() {
+void Sides::show_divider() {
   if (second_ == SecondSide::none) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImDrawList* lines = ImGui::GetBackgroundDrawList();

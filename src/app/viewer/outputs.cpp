@@ -1,0 +1,105 @@
+#include "app/viewer/outputs.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "base/shell.h"
+#include "gpu/shader.h"
+
+namespace gnomon::viewer {
+
+Outputs::Outputs(Device& device) : clip_(background_), comparison_({"--device", device.info().name}) {}
+
+void Outputs::show(const ViewState& next, const Session& session) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x - 8.0f, screen.y - 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 1.0f});
+  ImGui::SetNextWindowSize({std::min(400.0f, screen.x - 16.0f), 230.0f}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowCollapsed(true, ImGuiCond_FirstUseEver);
+  if (ImGui::Begin("Pictures, clips, reports")) {
+    if (ImGui::Button("PNG (F12)")) want_picture(".png");
+    ImGui::SameLine();
+    if (ImGui::Button("EXR, scene-linear")) want_picture(".exr");
+    try {
+      show_clip();
+      show_comparison(next, session);
+    } catch (const Error& error) {
+      message_ = error.what();
+    }
+  }
+  ImGui::End();
+}
+
+void Outputs::show_clip() {
+  ImGui::Separator();
+  if (ImGui::Button(clip_.running() ? "Stop the clip" : "Record a clip")) {
+    clip_.running() ? clip_.stop() : clip_.start(clip_name_, clip_seconds_);
+  }
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(90.0f);
+  ImGui::InputFloat("s (0: until stopped)", &clip_seconds_, 0.0f, 0.0f, "%.3g");
+  clip_seconds_ = std::max(clip_seconds_, 0.0f);
+  ImGui::InputText("folder##clip", clip_name_, sizeof clip_name_);
+  if (clip_.count() == 0) return;
+  ImGui::TextDisabled("%s: %u pictures, %.1f s; %zu to be written", clip_.folder().c_str(), clip_.count(), clip_.seconds(), background_.waiting());
+}
+
+void Outputs::show_comparison(const ViewState& next, const Session& session) {
+  ImGui::Separator();
+  if (ImGui::Button("Add to comparison") && !comparison_.add(next)) message_ = "the comparison has this technique with these settings";
+  for (size_t row = 0; row < comparison_.size();) {
+    ImGui::PushID(static_cast<int>(row));
+    const bool goes = ImGui::SmallButton("x");
+    ImGui::SameLine();
+    ImGui::TextUnformatted(comparison_.label(row).c_str());
+    ImGui::PopID();
+    goes && !comparison_.busy() ? comparison_.remove(row) : void(++row);
+  }
+  if (comparison_.busy()) return show_progress();
+  if (comparison_.size() == 0) return;
+  if (ImGui::Button("Write report")) comparison_.write_report(next, session.options().size, free_name(report_name_));
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(150.0f);
+  ImGui::InputText("folder##report", report_name_, sizeof report_name_);
+  if (!replaced_shaders().empty()) ImGui::TextWrapped("The report is of the shaders that were built, not of those changed since.");
+  if (!comparison_.report().empty()) ImGui::TextWrapped("%s", comparison_.report().c_str());
+}
+
+void Outputs::show_progress() {
+  ImGui::ProgressBar(static_cast<float>(comparison_.done()) / static_cast<float>(comparison_.steps()));
+  ImGui::TextWrapped("%s", comparison_.command().c_str());
+  ImGui::TextDisabled("two pictures a second meanwhile, for the sake of the times");
+  if (ImGui::Button("Stop")) comparison_.stop();
+}
+
+void Outputs::take(const ViewState& state, Session& session) {
+  if (!wanted_.empty()) picture(state, session);
+  if (clip_.running()) clip_.add(session.frame().read_display());
+  try {
+    comparison_.update();
+  } catch (const Error& error) {
+    message_ = error.what();
+  }
+  if (const std::string error = background_.take_error(); !error.empty()) {
+    clip_.stop();
+    message_ = error;
+  }
+}
+
+void Outputs::picture(const ViewState& state, Session& session) {
+  const std::filesystem::path path = free_name("gnomon", std::exchange(wanted_, {}));
+  try {
+    path.extension() == ".exr" ? write_exr(path, session.frame().read_linear()) : write_png(path, session.frame().read_display());
+  } catch (const Error& error) {
+    message_ = error.what();
+    return;
+  }
+  std::cout << path.string() << std::endl;
+  log_info("{} -o {}", state.command(session.options().size), shell_quoted(path.string()));
+}
+
+}  // namespace gnomon::viewer

@@ -1,0 +1,42 @@
+// What leaves the window: pictures, clips, a report of collected settings.
+#pragma once
+
+#include <string>
+
+#include "app/viewer/background.h"
+#include "app/viewer/clip.h"
+#include "app/viewer/comparison.h"
+
+namespace gnomon::viewer {
+
+class Outputs {
+ public:
+  explicit Outputs(Device& device);
+
+  // A panel. `next`: what "add" collects and the report shows.
+  void show(const ViewState& next, const Session& session);
+  // Of the picture without interface, in its own size: ".png" (display values) or ".exr" (scene-linear). In force after the frame.
+  void want_picture(const std::string& extension) { wanted_ = extension; }
+  // After each frame: takes it where a picture or a clip wants it.
+  void take(const ViewState& state, Session& session);
+
+  // A report is being measured: the window should leave the device alone.
+  bool measuring() const { return comparison_.busy(); }
+  // What failed, until it is closed.
+  std::string& message() { return message_; }
+
+ private:
+  void picture(const ViewState& state, Session& session);
+  void show_clip();
+  void show_comparison(const ViewState& next, const Session& session);
+  void show_progress();
+
+  Background background_;
+  Clip clip_;
+  Comparison comparison_;
+  std::string wanted_, message_;
+  char clip_name_[128] = "gnomon_clip", report_name_[128] = "gnomon_report";
+  float clip_seconds_ = 5.0f;
+};
+
+}  // namespace gnomon::viewer

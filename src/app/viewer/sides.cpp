@@ -1,0 +1,137 @@
+// The sides' pictures and scores; what the user sees of them is in sides_panel.cpp.
+#include "app/viewer/sides.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "lab/reference_set.h"
+
+namespace gnomon::viewer {
+namespace {
+
+// A technique's first frames may differ from the later ones: caches fill.
+constexpr int k_settling_frames = 3;
+// Reading a mask back and comparing it takes a few milliseconds.
+constexpr std::chrono::milliseconds k_between_scores{300};
+
+bool of_view(const std::string& key) {
+  return key.starts_with("light.") || key.starts_with("camera.") || key.starts_with("scene.");
+}
+
+bool has_history(const Session& session, const TechniqueSet& techniques) {
+  for (size_t light = 0; light < techniques.techniques().size(); ++light) {
+    const SettingsMap settings = session.settings_of(techniques.spec(light), light);
+    const auto temporal = settings.find("temporal");
+    if (temporal != settings.end() && temporal->second.number("history") > 0.0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Sides::Sides(const Start& start, const ViewState& state) : second_(start.second), other_(state), error_(start.error) {
+  if (!start.technique.empty()) other_.techniques = {start.technique};
+}
+
+float Sides::divider() const {
+  if (second_ == SecondSide::none) return 1.0f;
+  if (flip_mode_) return flipped_ ? 0.0f : 1.0f;
+  return divider_;
+}
+
+ViewState Sides::second_state(const ViewState& first) const {
+  ViewState state = other_;
+  state.view = first.view;
+  std::erase_if(state.edits, [](const auto& edit) { return of_view(edit.first); });
+  for (const auto& [key, value] : first.edits) {
+    if (of_view(key)) state.edits[key] = value;
+  }
+  return state;
+}
+
+void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
+  names_ = {fmt::format("{}", fmt::join(state.techniques, ", ")),
+            second_ == SecondSide::reference ? "reference" : fmt::format("{}", fmt::join(other_.techniques, ", "))};
+  if (second_ == SecondSide::settings) draw_settings(recorder, session, state, canvas);
+  if (second_ == SecondSide::reference) draw_reference(recorder, session, canvas);
+  if (second_ != SecondSide::settings) techniques_.clear(), score_[1].reset();
+}
+
+void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
+  const ViewState second = second_state(state);
+  std::vector<std::byte> key = view_key(session.frame());
+  const std::string command = second.command(session.options().size) + (error_ ? "error" : "");
+  key.insert(key.end(), reinterpret_cast<const std::byte*>(command.data()), reinterpret_cast<const std::byte*>(command.data() + command.size()));
+  if (key != second_key_) settling_ = k_settling_frames;
+  second_key_ = std::move(key);
+  if (settling_ == 0) return;
+  const auto back_to_first = [&] { session.change(state.view, state.settings()); };
+  try {
+    session.change(second.view, second.settings());
+    techniques_.update(session, second.techniques);
+    if (!has_history(session, techniques_)) --settling_;
+    recorder.begin();
+    session.record_frame(recorder, techniques_.techniques());
+    record_error(recorder, session.frame());
+    canvas.record_picture(recorder, session.frame(), 1);
+    recorder.finish();
+    score_[1] = score(session);
+    back_to_first();
+  } catch (const Error&) {
+    second_ = SecondSide::none;
+    back_to_first();
+    throw;
+  }
+}
+
+void Sides::draw_reference(Recorder& recorder, Session& session, Canvas& canvas) {
+  if (!reference_ || !reference_->answer()) return;
+  std::vector<std::byte> key = view_key(session.frame());
+  const std::string settings = fmt::format("reference {} {}", reference_->answer()->samples, session.settings().block("frame").words().size());
+  key.insert(key.end(), reinterpret_cast<const std::byte*>(settings.data()), reinterpret_cast<const std::byte*>(settings.data() + settings.size()));
+  const auto frame_words = std::as_bytes(std::span(session.settings().block("frame").words()));
+  key.insert(key.end(), frame_words.begin(), frame_words.end());
+  if (key == second_key_) return;
+  second_key_ = std::move(key);
+  // The surface buffer is that of the last frame, which had the same view.
+  recorder.begin();
+  session.frame().record_shade(recorder, reference_->error_view().reference());
+  canvas.record_picture(recorder, session.frame(), 1);
+  recorder.finish();
+}
+
+void Sides::record_error(Recorder& recorder, const Frame& frame) const {
+  if (error_ && reference_ && reference_->answer()) reference_->error_view().record(recorder, frame, light_);
+}
+
+std::optional<Sides::Score> Sides::score(Session& session) const {
+  const ProgressiveReference::Answer* answer = reference_ ? reference_->answer() : nullptr;
+  if (!answer || light_ >= answer->lights.size()) return std::nullopt;
+  const ReferenceResult& truth = answer->lights[light_];
+  // A view may show no receiver.
+  if (std::find(truth.receiver.begin(), truth.receiver.end(), 1) == truth.receiver.end()) return std::nullopt;
+  return Score{visibility_error(session.frame().read_mask(light_), truth.visibility, truth.receiver), answer->samples};
+}
+
+void Sides::follow(Session& session) {
+  if (!wants_reference()) {
+    if (reference_) reference_->give_up();
+    score_ = {};
+    return;
+  }
+  if (!reference_) reference_ = std::make_unique<ViewReference>(session, rasterised_caster_triangles(session));
+  const bool changed = reference_->update(session);
+  if (changed) settling_ = std::max(settling_, 1);  // the second side's scores, too
+  if (!reference_->answer()) {
+    score_ = {};
+    return;
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (!changed && now - scored_ < k_between_scores) return;
+  scored_ = now;
+  score_[0] = score(session);
+}
+
+}  // namespace gnomon::viewer
