@@ -70,6 +70,9 @@ std::vector<uint32_t> compile_shader(const ShaderTree& tree, const std::string& 
     std::string message = compiler.output();
     replace_all(message, input.string(), sources.file_of(name));
     replace_all(message, tree.src().string() + "/", "");
+    // Behind its messages the compiler counts them.
+    message.erase(message.find_last_of('\n', message.find_last_not_of('\n')) + 1);
+    message.erase(message.find_last_not_of('\n') + 1);
     fail("{}", message.empty() ? fmt::format("{}: the compiler ended with {}", name, compiler.exit_code()) : message);
   }
   const auto bytes = read_file(output);

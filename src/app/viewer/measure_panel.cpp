@@ -42,7 +42,7 @@ void MeasurePanel::show(Timings& timings, bool& separate_passes, Session& sessio
     if (ImGui::Button(timings.paused ? "Go on" : "Pause")) timings.paused = !timings.paused;
     ImGui::SameLine();
     ImGui::Checkbox("separate the passes (full barriers)", &separate_passes);
-    ImGui::TextDisabled("%zu frames; %s", timings.frames().size(), timings.clock());
+    ImGui::TextWrapped("%zu frames; %s", timings.frames().size(), timings.clock());
     if (const auto hovered = plot_.show(timings, k_plot_height)) one_frame(timings, timings.frames()[*hovered]);
     update_rows(timings);
     table();
@@ -69,7 +69,7 @@ void MeasurePanel::update_rows(const Timings& timings) {
     add("resolve", "passes that fill the visibility mask", [&](const FrameResult& f) { return timings.stage_ms(f, PassStage::resolve); });
     add("sum of the passes", "", [&](const FrameResult& f) { return timings.sum_ms(f); });
   }
-  add("frame", timings.clock(), [&](const FrameResult& f) { return timings.frame_ms(f); });
+  if (!timings.of_software()) add("frame, GPU", timings.clock(), [&](const FrameResult& f) { return timings.frame_ms(f); });
   add("frame, wall clock", "from submission to completion", [](const FrameResult& f) { return f.wall_ms; });
   add("recording", "CPU time to record and submit", [](const FrameResult& f) { return f.record_ms; });
 }

@@ -20,6 +20,7 @@ class Timings {
   bool paused = false;               // what is added is dropped
 
   const std::deque<FrameResult>& frames() const { return frames_; }
+  bool of_software() const { return software_; }
   // Passes apart, or of whole frames only?
   bool of_passes() const { return !frames_.empty() && (!software_ || alone()); }
   double pass_ms(const FrameResult& frame, size_t pass) const { return alone() ? frame.passes[pass].wall_ms : frame.passes[pass].gpu_ms; }
