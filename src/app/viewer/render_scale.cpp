@@ -12,7 +12,8 @@ int RenderScale::step_of(float scale) {
 float RenderScale::scale_of(int step) { return std::exp2(static_cast<float>(step) / static_cast<float>(k_steps_per_octave)); }
 
 void RenderScale::forget() {
-  slow_ = fast_ = 0, fast_ms_ = fixed_ms_ = last_scale_ = 0.0f;
+  slow_ = fast_ = 0, fast_ms_ = last_scale_ = 0.0f;
+  fixed_ms_ = -1.0f;
   skip_ = k_settling;
   wait_ = k_first_wait;
 }
@@ -52,9 +53,10 @@ void RenderScale::add_frame(float ms) {
   slow_ = 0;
   fast_ms_ = std::max(fast_ms_, ms);
   if (step_ == most || ++fast_ < wait_) return;
-  // A step up has at most 2^(2/4) times the pixels.
-  const float next_ms = fixed_ms_ + (fast_ms_ - std::min(fixed_ms_, fast_ms_)) * std::exp2(2.0f / k_steps_per_octave);
-  if (next_ms < budget_ms()) go_to(step_ + 1, fast_ms_);
+  // A step up has 2^(2/4) times the pixels. Where the fixed part is not known, trying tells it.
+  const float pixels_ms = fast_ms_ - std::clamp(fixed_ms_, 0.0f, fast_ms_);
+  const float next_ms = fast_ms_ + pixels_ms * (std::exp2(2.0f / k_steps_per_octave) - 1.0f);
+  if (next_ms < budget_ms() || fixed_ms_ < 0.0f) return go_to(step_ + 1, fast_ms_);
   fast_ = 0, fast_ms_ = 0.0f;
 }
 

@@ -31,7 +31,8 @@ class RenderScale {
 
   float target_ms_;
   int step_;              // scale is 2^(step / k_steps_per_octave)
-  float fixed_ms_ = 0.0f; // of a frame, whatever its size: from the last two sizes
+  // Of a frame, whatever its size: from the last two sizes. Below 0: not known yet.
+  float fixed_ms_ = -1.0f;
   // The last size that was left, and its time; 0: none.
   float last_scale_ = 0.0f, last_ms_ = 0.0f;
   float fast_ms_ = 0.0f;  // longest of the fast frames in a row

@@ -60,6 +60,8 @@ Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recen
       interface_(screen.interface),
       panels_(session_->settings()),
       camera_(session_->camera(), session_->scene().bounds().radius()),
+      timings_(device_.info().software),
+      outputs_(device_),
       sides_(options.sides, state_),
       render_scale_(wishes.target_ms, device_.info().software ? k_software_start : 1.0f),
       last_frame_(std::chrono::steady_clock::now()) {
