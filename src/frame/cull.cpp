@@ -5,6 +5,11 @@ namespace gnomon {
 
 Pipeline make_cull_pipeline(Device& device) { return make_compute_pipeline(device, "frame/cull.comp"); }
 
+VkCullModeFlags bucket_cull_mode(uint32_t bucket) {
+  if (bucket & Bucket::k_double_sided) return VK_CULL_MODE_NONE;
+  return bucket & Bucket::k_mirrored ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT;
+}
+
 CulledDraws::CulledDraws(Device& device, const GpuScene& scene, const std::string& name)
     : scene_(&scene),
       draws_(device, name + " draws", scene.item_count() * sizeof(DrawCommand)),

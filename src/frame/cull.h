@@ -27,4 +27,7 @@ class CulledDraws {
 
 Pipeline make_cull_pipeline(Device& device);
 
+// The faces that the camera does not see of a bucket's surfaces.
+VkCullModeFlags bucket_cull_mode(uint32_t bucket);
+
 }  // namespace gnomon

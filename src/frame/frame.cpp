@@ -158,9 +158,7 @@ void Frame::record_surface(Recorder& recorder) {
     commands.bind(surface_pipeline_);
     commands.push(frame_data_.address());
     for (uint32_t bucket = 0; bucket < k_bucket_count; ++bucket) {
-      const bool mirrored = bucket & Bucket::k_mirrored;
-      const VkCullModeFlags back = mirrored ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT;
-      commands.cull_mode(bucket & Bucket::k_double_sided ? VkCullModeFlags{VK_CULL_MODE_NONE} : back);
+      commands.cull_mode(bucket_cull_mode(bucket));
       draws_.draw_bucket(commands, bucket);
     }
     commands.end_rendering();

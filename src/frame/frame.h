@@ -46,6 +46,7 @@ class Frame {
   std::pair<float, float> visible_range() const;
   uint64_t data_address() const { return frame_data_.address(); }
   const Pipeline& cull_pipeline() const { return cull_pipeline_; }
+  const CulledDraws& camera_draws() const { return draws_; }  // as record_surface left them
 
   // Camera culling, raster, packing.
   void record_surface(Recorder& recorder);

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "gpu/pipeline_target.h"
 #include "gpu/shader.h"
 
 namespace gnomon {
@@ -78,7 +79,9 @@ Pipeline make_compute_pipeline(Device& device, std::string_view shader, const Sp
   return {device, pipeline, VK_PIPELINE_BIND_POINT_COMPUTE};
 }
 
-Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info) {
+Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info) { return make_graphics_pipeline(device, info, {}); }
+
+Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info, const PipelineTarget& target) {
   const Specialisation specialisation(info.constants);
   const ShaderModule vertex(device, info.vertex);
   std::vector<VkPipelineShaderStageCreateInfo> stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, &specialisation.info)};
@@ -108,7 +111,10 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
   depth.depthCompareOp = info.depth_compare;
   VkPipelineColorBlendAttachmentState no_blend = {};
   no_blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-  const std::vector<VkPipelineColorBlendAttachmentState> attachments(info.colour_formats.size(), no_blend);
+  VkPipelineColorBlendAttachmentState add = no_blend;
+  add.blendEnable = VK_TRUE;
+  add.srcColorBlendFactor = add.dstColorBlendFactor = add.srcAlphaBlendFactor = add.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  const std::vector<VkPipelineColorBlendAttachmentState> attachments(info.colour_formats.size(), target.adds ? add : no_blend);
   VkPipelineColorBlendStateCreateInfo blend = {VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
   blend.attachmentCount = static_cast<uint32_t>(attachments.size());
   blend.pAttachments = attachments.data();
@@ -122,7 +128,8 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
   rendering.colorAttachmentCount = static_cast<uint32_t>(info.colour_formats.size());
   rendering.pColorAttachmentFormats = info.colour_formats.data();
   rendering.depthAttachmentFormat = info.depth_format;
-  VkGraphicsPipelineCreateInfo create = {VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+  VkGraphicsPipelineCreateInfo create = {VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, target.render_pass ? nullptr : &rendering};
+  create.renderPass = target.render_pass;
   create.stageCount = static_cast<uint32_t>(stages.size());
   create.pStages = stages.data();
   create.pVertexInputState = &vertex_input;

@@ -3,12 +3,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/params.h"
 #include "frame/frame.h"
+#include "shadow/map/shadow_map_view.h"
 
 namespace gnomon {
 
@@ -48,6 +50,8 @@ class Technique {
   virtual void set(const SettingsMap& settings) = 0;
   // Records every pass from the light's point of view to the mask of light `light`.
   virtual void record(Recorder& recorder, const Frame& frame, size_t light) = 0;
+  // The map that it reads; none for techniques that have none, and before the first record.
+  virtual std::optional<ShadowMapView> shadow_map() const { return std::nullopt; }
 };
 
 // A technique by name, before it is built: "projection/filter" or a direct technique's id.

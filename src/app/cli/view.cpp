@@ -17,6 +17,7 @@ struct Arguments {
   uint32_t frames = 0;
   std::string screenshot, split;
   bool error = false;
+  std::string overlay, pick, map;
 };
 
 void view(const Arguments& arguments, bool technique_given, const Globals& globals) {
@@ -28,6 +29,7 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   if (!arguments.screenshot.empty() && !arguments.screenshot.ends_with(".png")) {
     fail_usage("--screenshot {}: valid: a path that ends in .png", arguments.screenshot);
   }
+  const viewer::ExplainOptions explain = viewer::parse_explain_options(arguments.overlay, arguments.pick, arguments.map);
   viewer::ViewState state{arguments.view.view(), techniques, arguments.view.settings(techniques), {}};
   arguments.view.write_preset(techniques);
   viewer::Window window(state.view.size, "gnomon: " + state.view.scene);
@@ -39,7 +41,7 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   wishes.adapt_size = arguments.scale == 0.0f;
   if (!wishes.adapt_size) wishes.scale = arguments.scale;
   wishes.target_ms = arguments.frame_ms;
-  viewer::ViewerOptions how{arguments.frames, arguments.screenshot, {}};
+  viewer::ViewerOptions how{arguments.frames, arguments.screenshot, {}, explain};
   how.sides.error = arguments.error;
   if (!arguments.split.empty()) {
     const bool reference = arguments.split == "reference";
@@ -75,6 +77,9 @@ void add_view(CLI::App& app, const Globals& globals) {
   command->add_option("--frames", arguments->frames, "ends after so many frames (default: when the window is closed)")->check(CLI::Range(1u, 1000000u));
   command->add_option("--split", arguments->split, "a second side beside the picture: a technique, or 'reference'");
   command->add_flag("--error", arguments->error, "error against the reference over the picture");
+  command->add_option("--overlay", arguments->overlay, "what is shown over the picture: layers, texels, footprint, flags or overdraw; and lines, of the light's views");
+  command->add_option("--pick", arguments->pick, "explains a pixel of the picture: x,y");
+  command->add_option("--map", arguments->map, "shows a layer of the shadow map: its number");
   command->add_option("--screenshot", arguments->screenshot, "writes the last frame, interface included: .png");
   command->callback([arguments, technique, &globals] { view(*arguments, technique->count() > 0, globals); });
 }

@@ -64,7 +64,7 @@ void Canvas::stretch(const Commands& commands, const Image& picture, uint32_t fr
                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, from == size() ? VK_FILTER_NEAREST : VK_FILTER_LINEAR);
 }
 
-void Canvas::record_window(Recorder& recorder, float divider, Interface& interface) {
+void Canvas::record_window(Recorder& recorder, float divider, Interface& interface, std::span<const ResourceUse> shown) {
   const auto split = static_cast<uint32_t>(std::lround(std::clamp(divider, 0.0f, 1.0f) * static_cast<float>(size().x)));
   std::vector<ResourceUse> uses = {{image_, Use::copy_write}};
   for (const Image& picture : pictures_) {
@@ -74,7 +74,7 @@ void Canvas::record_window(Recorder& recorder, float divider, Interface& interfa
     if (pictures_[0]) stretch(commands, pictures_[0], 0, split);
     if (pictures_[1]) stretch(commands, pictures_[1], split, size().x);
   });
-  record_interface(recorder, interface);
+  record_interface(recorder, interface, shown);
 }
 
 void Canvas::record_empty(Recorder& recorder, Interface& interface) {
@@ -83,11 +83,13 @@ void Canvas::record_empty(Recorder& recorder, Interface& interface) {
     const VkImageSubresourceRange all = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     vkCmdClearColorImage(commands.handle(), image_.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &dark, 1, &all);
   });
-  record_interface(recorder, interface);
+  record_interface(recorder, interface, {});
 }
 
-void Canvas::record_interface(Recorder& recorder, Interface& interface) {
-  recorder.pass("window/interface", PassStage::other, {{image_, Use::colour_write}},
+void Canvas::record_interface(Recorder& recorder, Interface& interface, std::span<const ResourceUse> shown) {
+  std::vector<ResourceUse> uses(shown.begin(), shown.end());
+  uses.emplace_back(image_, Use::colour_write);
+  recorder.pass("window/interface", PassStage::other, uses,
                 [&](Commands& commands) { interface.draw(commands.handle(), framebuffer_, size()); });
 }
 

@@ -21,7 +21,8 @@ class Canvas {
   // Keeps the frame's picture as that of a side: 0 is on the left.
   void record_picture(Recorder& recorder, const Frame& frame, size_t side);
   // Side 0 on the first `divider` of the window's width, side 1 on the rest: [0, 1].
-  void record_window(Recorder& recorder, float divider, Interface& interface);
+  // `shown`: what the interface reads beside its font.
+  void record_window(Recorder& recorder, float divider, Interface& interface, std::span<const ResourceUse> shown);
   void record_empty(Recorder& recorder, Interface& interface);  // where there is no picture yet
   const Image& image() const { return image_; }
   uvec2 size() const { return {image_.info().width, image_.info().height}; }
@@ -29,7 +30,7 @@ class Canvas {
 
  private:
   void stretch(const Commands& commands, const Image& picture, uint32_t from_x, uint32_t to_x) const;
-  void record_interface(Recorder& recorder, Interface& interface);
+  void record_interface(Recorder& recorder, Interface& interface, std::span<const ResourceUse> shown);
   void release() noexcept;
 
   Device& device_;

@@ -98,6 +98,7 @@ void Interface::draw(VkCommandBuffer commands, VkFramebuffer framebuffer, uvec2 
   begin.renderPass = render_pass_;
   begin.framebuffer = framebuffer;
   begin.renderArea.extent = {size.x, size.y};
+  ImGui::GetIO().UserData = commands;  // for callbacks that draw by themselves
   vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
   ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
   vkCmdEndRenderPass(commands);

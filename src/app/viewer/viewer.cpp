@@ -59,6 +59,7 @@ Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recen
       techniques_(std::move(opened.techniques)),
       interface_(screen.interface),
       panels_(session_->settings()),
+      explain_(device_, interface_.render_pass(), options.explain),
       camera_(session_->camera(), session_->scene().bounds().radius()),
       timings_(device_.info().software),
       outputs_(device_),
@@ -125,11 +126,13 @@ void Viewer::draw() {
     panels_.show(next, wishes_, *session_, techniques_);
     if (begin_main_panel() && ImGui::CollapsingHeader("Compare")) sides_.show(next, *session_, panels_.light());
     ImGui::End();
+    explain_.show(window_, *session_, techniques_);
     measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
     outputs_.show(next, *session_);
   }
   if (opening_) show_progress(opening_->status(), opening_->share());
   sides_.show_divider();
+  explain_.show_marks(*session_);
   panels_.show_message(message_);
   panels_.show_message(shaders_.message());
   panels_.show_message(outputs_.message());
@@ -148,10 +151,12 @@ void Viewer::draw() {
   draw_second();
   recorder_->begin();
   session_->record_frame(*recorder_, techniques_.techniques());
+  explain_.record(*recorder_, *session_, techniques_);
   sides_.record_error(*recorder_, session_->frame());
   screen_.canvas.record_picture(*recorder_, session_->frame(), 0);
-  screen_.canvas.record_window(*recorder_, sides_.divider(), interface_);
+  screen_.canvas.record_window(*recorder_, sides_.divider(), interface_, explain_.uses());
   timings_.add(recorder_->finish());
+  explain_.collect(*session_, techniques_);
   screen_.swapchain.set_vsync(wishes_.vsync);
   // Waiting for the screen is no work: it must not make the picture smaller.
   const std::chrono::duration<float, std::milli> work = std::chrono::steady_clock::now() - now;

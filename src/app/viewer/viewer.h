@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/viewer/explain.h"
 #include "app/viewer/fly_camera.h"
 #include "app/viewer/opening.h"
 #include "app/viewer/measure_panel.h"
@@ -23,6 +24,7 @@ struct ViewerOptions {
   uint32_t frames = 0;               // ends after so many; 0: when the user closes the window
   std::filesystem::path screenshot;  // the last frame with the interface; with a reference that is complete, where one is wanted
   Sides::Start sides;
+  ExplainOptions explain;
 };
 
 // A scene that has been opened, and what it is shown with.
@@ -70,6 +72,7 @@ class Viewer {
   TechniqueSet techniques_;
   Interface& interface_;
   Panels panels_;
+  Explain explain_;
   FlyCamera camera_;
   Timings timings_;
   MeasurePanel measure_;

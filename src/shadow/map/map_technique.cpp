@@ -131,12 +131,20 @@ void MapTechnique::record(Recorder& recorder, const Frame& frame, size_t light) 
   const bool moved = update_views(frame, frame.lights()[light]) || projection_->on_gpu();
   if (moved) unsettled_ = 1.0f;
   if (!map_is_current_) unsettled_ = 0.0f;
-  if (!submission_.cache || moved || !map_is_current_ || unsettled_ > k_settled) {
+  kept_ = submission_.cache && !moved && map_is_current_ && unsettled_ <= k_settled;
+  if (!kept_) {
     record_map(recorder, frame, light);
     unsettled_ *= history_;
   }
   map_is_current_ = true;
   record_resolve(recorder, frame, light);
+}
+
+std::optional<ShadowMapView> MapTechnique::shadow_map() const {
+  if (!map_is_current_) return std::nullopt;
+  const DrawnMap map = drawn();
+  return ShadowMapView{projection_id_, filter_id_,     &depth_,      &filter_->map(map),   map.object_ids, &views_,
+                       &params_,       filter_offset_, bias_offset_, projection_->layers(), kept_,         unsettled_};
 }
 
 void MapTechnique::record_map(Recorder& recorder, const Frame& frame, size_t light) {

@@ -30,6 +30,7 @@ class MapTechnique : public Technique {
   MapTechnique(TechniqueContext& context, const ProjectionInfo& projection, const FilterInfo& filter, const SettingsMap& settings);
   void set(const SettingsMap& settings) override;
   void record(Recorder& recorder, const Frame& frame, size_t light) override;
+  std::optional<ShadowMapView> shadow_map() const override;
 
  private:
   void create_map(Device& device, const GpuScene& scene);
@@ -52,6 +53,7 @@ class MapTechnique : public Technique {
   std::unique_ptr<CasterDraws> draws_;
   DepthHistory depth_history_;                  // where the filter blends nothing itself
   Pipeline resolve_;
+  bool kept_ = false;            // the last frame drew no map
   bool map_is_current_ = false;  // there is a map of an earlier frame with the same settings
   float unsettled_ = 0.0f;       // share of the map that is from before the views' last change
 };

@@ -1,4 +1,8 @@
 // The default kernel around visibility(): one evaluation per surface in a pixel, per sample on edges.
+#ifdef GNOMON_FILTER_FOOTPRINT
+#include "shadow/map/glsl/pixel_footprint.glsl"
+#endif
+
 layout(buffer_reference, scalar) readonly buffer ProjectionParamsRef { ProjectionParams v; };
 layout(buffer_reference, scalar) readonly buffer FilterParamsRef { FilterParams v; };
 layout(buffer_reference, scalar) readonly buffer BiasParamsRef { BiasParams v; };
@@ -17,17 +21,6 @@ layout(push_constant, scalar) uniform Push {
   uint unused;
 };
 layout(local_size_x = 8, local_size_y = 8) in;
-
-#ifdef GNOMON_FILTER_FOOTPRINT
-// Where the ray through another pixel meets the receiver's plane, from the receiver; zero where it does not, or almost.
-vec3 to_neighbour(CameraData camera, ivec2 pixel, uint s, Surface surface) {
-  vec3 origin, direction;
-  view_ray(camera, uvec2(pixel), s, origin, direction);
-  float facing = dot(direction, surface.geometric_normal_ws);
-  if (abs(facing) < 1e-3 * length(direction)) return vec3(0.0);
-  return origin + direction * (dot(surface.position_ws - origin, surface.geometric_normal_ws) / facing) - surface.position_ws;
-}
-#endif
 
 // What all pixels share, read once.
 struct Uniforms {

@@ -1,0 +1,171 @@
+#include "app/viewer/explain.h"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/viewer/legend.h"
+#include "app/viewer/light_lines.h"
+#include "base/error.h"
+
+namespace gnomon::viewer {
+namespace {
+
+const char* overlay_title(uint32_t overlay) {
+  switch (overlay) {
+    case k_overlay_layers: return "layers (cascades, faces)";
+    case k_overlay_texels: return "texel grid";
+    case k_overlay_footprint: return "pixels per texel";
+    case k_overlay_flags: return "casters and receivers";
+    case k_overlay_overdraw: return "overdraw";
+    default: return "no overlay";
+  }
+}
+
+void crosshair(const vec2& at) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  for (const auto& [colour, width] : {std::pair(IM_COL32(0, 0, 0, 180), 3.0f), std::pair(IM_COL32(255, 255, 255, 255), 1.0f)}) {
+    for (const vec2& way : {vec2(1, 0), vec2(-1, 0), vec2(0, 1), vec2(0, -1)}) {
+      const vec2 from = at + 4.0f * way, to = at + 14.0f * way;
+      list.AddLine({from.x, from.y}, {to.x, to.y}, colour, width);
+    }
+  }
+}
+
+vec2 screen_size() { return {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y}; }
+
+}  // namespace
+
+Explain::Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options)
+    : explainer_(device), map_pane_(device, render_pass), options_(options), map_open_(options.map_layer), map_layer_(options.map_layer.value_or(0)) {}
+
+uvec2 Explain::pixel(const Session& session) const { return glm::min(uvec2(*place_ * vec2(session.options().size)), session.options().size - 1u); }
+
+void Explain::show(const Window& window, Session& session, const TechniqueSet& techniques) {
+  light_ = std::min(light_, session.frame().lights().size() - 1);
+  handle_keys(window);
+  panel(session, techniques);
+  if (picked_) {
+    bool open = true;
+    show_pick_window(*picked_, open);
+    if (!open) place_.reset(), picked_.reset();
+  }
+  if (map_open_) map_pane_.show(techniques.techniques()[light_]->shadow_map(), map_layer_, map_open_);
+}
+
+void Explain::handle_keys(const Window& window) {
+  if (ImGui::GetIO().WantTextInput || window.control_held()) return;
+  if (window.pressed(GLFW_KEY_O)) options_.overlay = (options_.overlay + 1) % k_overlay_count;
+  if (window.pressed(GLFW_KEY_L)) options_.lines = !options_.lines;
+  if (window.pressed(GLFW_KEY_M)) map_open_ = !map_open_;
+  if (window.pressed(GLFW_KEY_P)) pick_mode_ = !pick_mode_;
+}
+
+void Explain::handle_pick(Session& session) {
+  const uvec2 size = session.options().size;
+  if (options_.pick) {
+    if (options_.pick->x >= size.x || options_.pick->y >= size.y) {
+      fail_usage("--pick {},{}: the picture has {} x {} pixels", options_.pick->x, options_.pick->y, size.x, size.y);
+    }
+    place_ = (vec2(*options_.pick) + 0.5f) / vec2(size);
+    options_.pick.reset();
+  }
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantCaptureMouse) return;
+  const bool click = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && (pick_mode_ || io.KeyAlt);
+  if (!click && !ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) return;
+  place_ = glm::clamp(vec2(io.MousePos.x, io.MousePos.y) / screen_size(), 0.0f, 0.9999f);
+  pick_mode_ = false;
+}
+
+void Explain::panel(Session& session, const TechniqueSet& techniques) {
+  // Behind what the panels wrote into the same window.
+  if (ImGui::Begin("gnomon") && ImGui::CollapsingHeader("Explain", ImGuiTreeNodeFlags_DefaultOpen)) {
+    const auto lights = session.frame().lights();
+    const auto light_label = [&](size_t i) { return fmt::format("{}##{}", lights[i].name, i); };
+    if (lights.size() > 1 && ImGui::BeginCombo("of light", light_label(light_).c_str())) {
+      for (size_t i = 0; i < lights.size(); ++i) {
+        if (ImGui::Selectable(light_label(i).c_str(), i == light_)) light_ = i;
+      }
+      ImGui::EndCombo();
+    }
+    const bool has_map = techniques.techniques()[light_]->shadow_map().has_value();
+    if (ImGui::BeginCombo("(O)", overlay_title(options_.overlay))) {
+      for (uint32_t overlay = 0; overlay < k_overlay_count; ++overlay) {
+        if (ImGui::Selectable(overlay_title(overlay), overlay == options_.overlay)) options_.overlay = overlay;
+      }
+      ImGui::EndCombo();
+    }
+    if (options_.overlay != k_overlay_none) {
+      ImGui::SliderFloat("opacity", &opacity_, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+      if (overlay_needs_map(options_.overlay) && !has_map) {
+        ImGui::TextDisabled("this technique has no map");
+      } else {
+        show_legend(options_.overlay, views_);
+      }
+    }
+    ImGui::Checkbox("light's views (L)", &options_.lines);
+    bool hold = held_.has_value();
+    if (options_.lines && (ImGui::SameLine(), ImGui::Checkbox("hold them", &hold))) {
+      held_.reset();
+      if (hold) held_ = Held{views_, session.frame().camera()};
+    }
+    ImGui::Checkbox("map (M)", &map_open_);
+    ImGui::SameLine();
+    ImGui::Checkbox("pick (P)", &pick_mode_);
+    ImGui::SameLine();
+    ImGui::TextDisabled("Alt + click, middle button");
+  }
+  ImGui::End();
+}
+
+void Explain::show_marks(Session& session) {
+  handle_pick(session);
+  if (pick_mode_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (place_) crosshair(*place_ * screen_size());
+  if (!options_.lines) return;
+  const CameraData* cut = held_ ? &held_->camera : nullptr;
+  draw_light_lines(*ImGui::GetBackgroundDrawList(), session.frame().camera(), screen_size(), held_ ? held_->views : views_, cut,
+                   session.scene().bounds().radius());
+}
+
+void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& techniques) {
+  light_ = std::min(light_, session.frame().lights().size() - 1);
+  const Frame& frame = session.frame();
+  const Technique& technique = *techniques.techniques()[light_];
+  if (options_.overlay != k_overlay_none) explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, opacity_);
+  if (place_) explainer_.record_pick(recorder, frame, light_, technique, pixel(session));
+  explainer_.record_views(recorder, technique);
+  map_pane_.record(recorder, technique.shadow_map(), map_layer_);
+}
+
+void Explain::collect(Session& session, const TechniqueSet& techniques) {
+  views_ = explainer_.views();
+  if (!place_) return;
+  if (!reference_) reference_ = std::make_unique<PointReference>(session.scene());
+  Picked picked;
+  picked.pixel = pixel(session);
+  picked.technique = techniques.spec(light_).name;
+  const PickRecord& record = picked.facts.record = explainer_.picked();
+  if (const auto map = techniques.techniques()[light_]->shadow_map()) {
+    picked.facts.has_map = true;
+    picked.facts.compares_depth = map->filtered == map->depth;
+    picked.facts.stores_objects = map->object_ids != nullptr;
+    picked.facts.unsettled = map->unsettled;
+    picked.facts.front_face_culling = session.settings_of(techniques.spec(light_), light_).at("bias").number("front_face_culling") != 0.0;
+  }
+  if (record.seen != 0) {
+    picked.object = session.scene().objects[record.object].name;
+    const SurfacePoint point = {record.position_ws, record.object, record.normal_ws, picked.pixel.y * session.options().size.x + picked.pixel.x};
+    if (const auto answer = reference_->answer(point, session.frame().camera().eye_ws, session.frame().lights()[light_])) {
+      picked.facts.hard = answer->hard;
+      picked.facts.area = answer->area;
+    }
+  }
+  picked.reason = reason_of(picked.facts);
+  picked_ = std::move(picked);
+}
+
+}  // namespace gnomon::viewer

@@ -1,0 +1,69 @@
+// "Explain": overlays, the light's views as lines, the map, and everything about a picked pixel.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/viewer/map_pane.h"
+#include "app/viewer/pick_window.h"
+#include "app/viewer/technique_set.h"
+#include "app/viewer/window.h"
+#include "shadow/explainer.h"
+
+namespace gnomon::viewer {
+
+struct ExplainOptions {
+  uint32_t overlay = k_overlay_none;
+  bool lines = false;                  // of the light's views
+  std::optional<uvec2> pick;           // pixel of the picture
+  std::optional<uint32_t> map_layer;   // opens the map
+};
+
+// Reads --overlay ("layers", "layers,lines"), --pick ("120,80") and --map ("0"); empty: not given. Throws Error (usage), naming what is valid.
+ExplainOptions parse_explain_options(const std::string& overlay, const std::string& pick, const std::string& map);
+
+class Explain {
+ public:
+  // `render_pass`: that the interface is drawn in.
+  Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options);
+
+  // Keys, panel and windows, while the interface's frame is written.
+  void show(const Window& window, Session& session, const TechniqueSet& techniques);
+  // Crosshair and lines, which stay when the panels are hidden.
+  void show_marks(Session& session);
+  // Behind Session::record_frame.
+  void record(Recorder& recorder, Session& session, const TechniqueSet& techniques);
+  // Once the recorder has finished.
+  void collect(Session& session, const TechniqueSet& techniques);
+  // What the pass that draws the interface must name.
+  std::span<const ResourceUse> uses() const { return map_pane_.uses(); }
+  // Before the session's scene goes: the reference of single points reads it.
+  void forget_scene() { reference_.reset(), picked_.reset(), held_.reset(); }
+
+ private:
+  struct Held {
+    std::vector<ShadowView> views;
+    CameraData camera;
+  };
+
+  void handle_keys(const Window& window);
+  void handle_pick(Session& session);
+  void panel(Session& session, const TechniqueSet& techniques);
+  uvec2 pixel(const Session& session) const;
+
+  Explainer explainer_;
+  MapPane map_pane_;
+  ExplainOptions options_;               // overlay and lines as they are now
+  float opacity_ = 0.6f;
+  size_t light_ = 0;
+  bool pick_mode_ = false, map_open_;
+  uint32_t map_layer_;
+  std::optional<vec2> place_;            // picked, as a share of the picture: it stays where it is when the picture's size changes
+  std::optional<Picked> picked_;
+  std::vector<ShadowView> views_;        // of the last frame
+  std::optional<Held> held_;             // lines that stay while the camera leaves
+  std::unique_ptr<PointReference> reference_;
+};
+
+}  // namespace gnomon::viewer
