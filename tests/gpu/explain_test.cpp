@@ -18,7 +18,7 @@ constexpr uvec2 k_size = {64, 48};
 
 Light lamp_or_sun(const ProjectionInfo& projection) {
   const bool sun = std::find(projection.light_kinds.begin(), projection.light_kinds.end(), LightKind::directional) != projection.light_kinds.end();
-  if (sun) return test::make_sun({0.5f, -1.0f, -0.3f}, 0.01f);
+  if (sun) return test::make_sun({0.5f, -1.0f, 0.4f}, 0.01f);
   Light lamp;
   lamp.name = "lamp";
   lamp.kind = LightKind::point;
@@ -118,7 +118,7 @@ TEST(Explain, PicksAgreeWithTheViews) {
         EXPECT_GT(layer.texel_m, 0.0f);
         EXPECT_FLOAT_EQ(layer.stored.x, layer.depths[k_pick_texels / 2]);
       }
-      if (record.count > 0) EXPECT_NEAR(weights, 1.0f, 1e-5f);
+      EXPECT_NEAR(weights, record.count > 0 ? 1.0f : 0.0f, 1e-5f);
     }
     EXPECT_GT(layers, 10u);
   });
@@ -160,7 +160,7 @@ TEST(Explain, OverlaysChangeSurfacesOnly) {
       size_t changed = 0;
       for (size_t i = 0; i < points.size(); ++i) {
         const bool same = std::equal(&plain.rgba[4 * i], &plain.rgba[4 * i + 4], &shown.rgba[4 * i]);
-        if (points[i].object == k_no_object) EXPECT_TRUE(same) << i;
+        EXPECT_TRUE(same || points[i].object != k_no_object) << i;
         changed += !same;
       }
       EXPECT_GT(changed, 100u);
@@ -169,19 +169,20 @@ TEST(Explain, OverlaysChangeSurfacesOnly) {
 }
 
 TEST(Explain, MaskAndPickWithSeveralSamples) {
-  View view(boxes(test::make_sun({0.5f, -1.0f, -0.3f})), k_size, device().info().sample_counts.back());
+  View view(boxes(test::make_sun({0.5f, -1.0f, 0.4f})), k_size, device().info().sample_counts.back());
   Drawn drawn(view, "cascaded/vsm", {"vsm.samples=four"});
   const uint32_t samples = view.frame().samples();
   const auto mask = view.frame().read_mask(0);
   for (const uvec2& pixel : spread_pixels()) {
     const PickRecord record = drawn.pick(pixel);
-    if (record.seen) EXPECT_EQ(record.answer, mask[(pixel.y * k_size.x + pixel.x) * samples]);
+    if (!record.seen) continue;
+    EXPECT_EQ(record.answer, mask[(pixel.y * k_size.x + pixel.x) * samples]);
   }
   drawn.with_overlay(k_overlay_layers, 0.5f);
 }
 
 TEST(Explain, FlagsNameCastersAndReceivers) {
-  View view(boxes(test::make_sun({0.5f, -1.0f, -0.3f})), k_size);
+  View view(boxes(test::make_sun({0.5f, -1.0f, 0.4f})), k_size);
   Drawn drawn(view, "single/hard");
   const Image8 shown = drawn.with_overlay(k_overlay_flags, 1.0f);
   const auto points = view.frame().read_points();
@@ -222,7 +223,7 @@ TEST(Explain, OverdrawOfAStackOfPlanes) {
 
 TEST(Explain, DirectTechniquesHaveNoMap) {
   if (!device().info().ray_tracing) GTEST_SKIP() << "no ray-tracing pipeline: no direct technique";
-  View view(boxes(test::make_sun({0.5f, -1.0f, -0.3f})), k_size);
+  View view(boxes(test::make_sun({0.5f, -1.0f, 0.4f})), k_size);
   Drawn drawn(view, "ray_traced");
   EXPECT_TRUE(drawn.views.empty());
   EXPECT_FALSE(drawn.technique->shadow_map());

@@ -13,6 +13,8 @@
 namespace gnomon::viewer {
 namespace {
 
+constexpr float k_panel_width = 330.0f;
+
 const char* overlay_title(uint32_t overlay) {
   switch (overlay) {
     case k_overlay_layers: return "layers (cascades, faces)";
@@ -81,8 +83,10 @@ void Explain::handle_pick(Session& session) {
 }
 
 void Explain::panel(Session& session, const TechniqueSet& techniques) {
-  // Behind what the panels wrote into the same window.
-  if (ImGui::Begin("gnomon") && ImGui::CollapsingHeader("Explain", ImGuiTreeNodeFlags_DefaultOpen)) {
+  ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - 8.0f, 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
+  ImGui::SetNextWindowSize({k_panel_width, 0.0f}, ImGuiCond_Always);
+  ImGui::SetNextWindowCollapsed(!map_open_ && !place_ && !options_.pick && !options_.lines && options_.overlay == k_overlay_none, ImGuiCond_FirstUseEver);
+  if (ImGui::Begin("Explain", nullptr, ImGuiWindowFlags_NoResize)) {
     const auto lights = session.frame().lights();
     const auto light_label = [&](size_t i) { return fmt::format("{}##{}", lights[i].name, i); };
     if (lights.size() > 1 && ImGui::BeginCombo("of light", light_label(light_).c_str())) {
@@ -115,8 +119,7 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
     ImGui::Checkbox("map (M)", &map_open_);
     ImGui::SameLine();
     ImGui::Checkbox("pick (P)", &pick_mode_);
-    ImGui::SameLine();
-    ImGui::TextDisabled("Alt + click, middle button");
+    ImGui::TextDisabled("a pixel is picked by Alt + click, too, and the\nmiddle button");
   }
   ImGui::End();
 }

@@ -60,7 +60,7 @@ MapProbe MapPane::probe() const {
 
 void MapPane::show(const std::optional<ShadowMapView>& map, uint32_t& layer, bool& open) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x - 8.0f, screen.y - 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 1.0f});
+  ImGui::SetNextWindowPos({0.5f * screen.x, screen.y - 8.0f}, ImGuiCond_FirstUseEver, {0.5f, 1.0f});
   ImGui::SetNextWindowSize({std::min(380.0f, 0.5f * screen.x), std::min(440.0f, 0.8f * screen.y)}, ImGuiCond_FirstUseEver);
   shown_ = ImGui::Begin("shadow map", &open) && map;
   if (!map) ImGui::TextDisabled("this technique has no map");

@@ -72,7 +72,7 @@ void show_layer(const PickFacts& facts, const PickedLayer& layer) {
   ImGui::TextUnformatted(title.c_str());
   ImGui::PopStyleColor();
   if (ImGui::BeginTable(title.c_str(), 2, ImGuiTableFlags_RowBg)) {
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 9.0f * ImGui::GetFontSize());
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 11.0f * ImGui::GetFontSize());
     ImGui::TableSetupColumn("value");
     row("map coordinates", fmt::format("{:.5f}, {:.5f}", layer.uv.x, layer.uv.y));
     row("texel", fmt::format("{}, {} of {:.0f}; {} wide, {:.2g} pixels", layer.texel_x, layer.texel_y, layer.size, length_text(layer.texel_m),
@@ -104,15 +104,15 @@ void show_pick_window(const Picked& picked, bool& open) {
   const PickFacts& facts = picked.facts;
   const PickRecord& record = facts.record;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x - 8.0f, 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
-  ImGui::SetNextWindowSize({std::min(380.0f, 0.5f * screen.x), std::min(0.9f * screen.y, 560.0f)}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowPos({screen.x - 8.0f, screen.y - 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 1.0f});
+  ImGui::SetNextWindowSize({std::min(380.0f, 0.5f * screen.x), std::min(0.6f * screen.y, 560.0f)}, ImGuiCond_FirstUseEver);
   // The part behind ### is the window's identity, whatever pixel it shows.
   if (ImGui::Begin(fmt::format("pixel {}, {}: {}###pick", picked.pixel.x, picked.pixel.y, picked.technique).c_str(), &open)) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(reason_colour(facts, picked.reason.cause)));
     ImGui::TextWrapped("%s", picked.reason.text.c_str());
     ImGui::PopStyleColor();
     if (record.seen != 0 && ImGui::BeginTable("point", 2, ImGuiTableFlags_RowBg)) {
-      ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 9.0f * ImGui::GetFontSize());
+      ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 11.0f * ImGui::GetFontSize());
       ImGui::TableSetupColumn("value");
       row("light that arrives", fmt::format("{:.3f}", record.answer));
       const auto known = [](const std::optional<float>& value) { return value ? fmt::format("{:.3f}", *value) : std::string("not yet known"); };
