@@ -61,15 +61,17 @@ std::optional<size_t> FramePlot::show(const Timings& timings, float height) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(from, to, k_background);
   const auto& frames = timings.frames();
-  double highest = 0.0;
-  for (const FrameResult& frame : frames) highest = std::max(highest, timings.of_passes() ? timings.sum_ms(frame) : timings.frame_ms(frame));
-  const double top_ms = round_up(highest);
+  // One slow frame in twenty leaves the plot: it would press the others flat.
+  const Summary whole = timings.summary([&](const FrameResult& f) { return timings.of_passes() ? timings.sum_ms(f) : timings.frame_ms(f); });
+  const double top_ms = round_up(1.1 * whole.p95);
   const float step = width / static_cast<float>(Timings::k_frames), px_per_ms = height / static_cast<float>(top_ms);
   const auto left_of = [&](size_t i) { return to.x - step * static_cast<float>(frames.size() - i); };
   // Edges without blending: columns meet.
   const ImDrawListFlags flags = list.Flags;
   list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
+  ImGui::PushClipRect(from, to, true);
   for (size_t i = 0; i < frames.size(); ++i) column(timings, frames[i], left_of(i), left_of(i) + step, to.y, px_per_ms);
+  ImGui::PopClipRect();
   list.Flags = flags;
   for (const float part : {0.0f, 0.5f}) {
     const float y = from.y + part * height;

@@ -33,7 +33,7 @@ std::string mib(uint64_t bytes) { return fmt::format("{:.1f} MiB", static_cast<d
 
 void MeasurePanel::show(Timings& timings, bool& separate_passes, Session& session, const TechniqueSet& techniques) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size = {std::min(400.0f, screen.x - 16.0f), std::min(520.0f, screen.y - 16.0f)};
+  const ImVec2 size = {std::min(430.0f, screen.x - 16.0f), std::clamp(screen.y - 262.0f, 120.0f, 440.0f)};
   ImGui::SetNextWindowPos({screen.x - 8.0f, 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
   ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
   // Beside the other panel there is room in a wide window only.
@@ -42,7 +42,7 @@ void MeasurePanel::show(Timings& timings, bool& separate_passes, Session& sessio
     if (ImGui::Button(timings.paused ? "Go on" : "Pause")) timings.paused = !timings.paused;
     ImGui::SameLine();
     ImGui::Checkbox("separate the passes (full barriers)", &separate_passes);
-    ImGui::TextWrapped("%zu frames; %s", timings.frames().size(), timings.clock());
+    ImGui::TextWrapped("%zu frames, ms; %s", timings.frames().size(), timings.clock());
     if (const auto hovered = plot_.show(timings, k_plot_height)) one_frame(timings, timings.frames()[*hovered]);
     update_rows(timings);
     table();
@@ -77,7 +77,7 @@ void MeasurePanel::update_rows(const Timings& timings) {
 void MeasurePanel::table() const {
   if (!ImGui::BeginTable("passes", 5, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("pass", ImGuiTableColumnFlags_WidthStretch);
-  for (const char* name : {"median ms", "p95 ms", "draws", "triangles"}) ImGui::TableSetupColumn(name);
+  for (const char* name : {"median", "p95", "draws", "triangles"}) ImGui::TableSetupColumn(name);
   ImGui::TableHeadersRow();
   for (const Row& row : rows_) {
     ImGui::TableNextRow();

@@ -17,8 +17,10 @@ Outputs::Outputs(Device& device) : clip_(background_), comparison_({"--device", 
 
 void Outputs::show(const ViewState& next, const Session& session) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x - 8.0f, screen.y - 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 1.0f});
-  ImGui::SetNextWindowSize({std::min(400.0f, screen.x - 16.0f), 230.0f}, ImGuiCond_FirstUseEver);
+  const ImVec2 size = {std::min(430.0f, screen.x - 16.0f), 230.0f};
+  // Below the measuring panel; closed its bar stays there, so that it opens within the window.
+  ImGui::SetNextWindowPos({screen.x - size.x - 8.0f, std::max(screen.y - size.y - 8.0f, 8.0f)}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowCollapsed(true, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Pictures, clips, reports")) {
     if (ImGui::Button("PNG (F12)")) want_picture(".png");
