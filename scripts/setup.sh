@@ -21,7 +21,7 @@ packages=(
   "ninja-build|build system"
   "ccache|repeated builds cost nothing"
   "git|the commit that results.jsonl records"
-  "glslc|GLSL to SPIR-V at build time"
+  "glslc|GLSL to SPIR-V at build time, and of shaders edited while gnomon view runs"
   "libvulkan-dev|Vulkan headers and loader"
   "vulkan-validationlayers|validation of every test run"
   "mesa-vulkan-drivers|Vulkan on the CPU (lavapipe), and drivers of common GPUs"
