@@ -43,7 +43,7 @@ Reason history(const Context& c) {
 Reason acne(const Context& c) {
   const float texel_m = c.layer.texel_m;
   const std::string who = fmt::format("acne: {} of the {} texels that occlude hold the receiver's own surface", c.near.own, c.near.occluding);
-  if (c.layer.depth_gradient == vec2(0.0f)) {
+  if (c.layer.follows_plane == 0) {
     return {Cause::acne, fmt::format("{}; its plane spans {} within the kernel, the bias covers {}", who, texels(c.near.plane_span_m, texel_m),
                                      texels(c.near.bias_m, texel_m))};
   }

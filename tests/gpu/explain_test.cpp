@@ -1,7 +1,9 @@
 // Overlays and picks against what the techniques' views and masks say.
 #include <cmath>
+#include <map>
 #include <set>
 
+#include "lab/point_reference.h"
 #include "lab/reason.h"
 #include "shadow/explainer.h"
 #include "shadow/registry.h"
@@ -28,9 +30,10 @@ Light lamp_or_sun(const ProjectionInfo& projection) {
   return lamp;
 }
 
-// A floor with two boxes, and sky above.
+// A floor with a box, one that casts nothing, and a slab near the floor; and sky above.
 Scene boxes(const Light& light) {
-  Scene scene = test::scene_with({test::floor_part(20.0f), test::box_part({-1, 0, -1}, {0, 2, 0}), test::box_part({1, 0.5f, -3}, {2, 1.5f, -2})});
+  Scene scene = test::scene_with({test::floor_part(20.0f), test::box_part({-1, 0, -1}, {0, 2, 0}), test::box_part({1, 0.5f, -3}, {2, 1.5f, -2}),
+                                  test::box_part({-3, 0.3f, 0}, {-1, 0.35f, 2})});
   scene.objects[2].casts = false;
   scene.cameras.push_back(look_at("any", {0, 3, 7}, {0, 1.5f, 0}, 60.0));
   scene.lights.push_back(light);
@@ -70,8 +73,8 @@ struct Drawn {
 
 std::vector<uvec2> spread_pixels() {
   std::vector<uvec2> pixels;
-  for (uint32_t y = 2; y < k_size.y; y += 7) {
-    for (uint32_t x = 3; x < k_size.x; x += 9) pixels.emplace_back(x, y);
+  for (uint32_t y = 2; y < k_size.y; y += 5) {
+    for (uint32_t x = 3; x < k_size.x; x += 5) pixels.emplace_back(x, y);
   }
   return pixels;
 }
@@ -219,6 +222,58 @@ TEST(Explain, OverdrawOfAStackOfPlanes) {
   expect_overdraw({0, 1, 2, 3, 4}, 5.0f);  // each hides what was drawn before
   expect_overdraw({4, 3, 2, 1, 0}, 1.0f);  // the first hides all others
   expect_overdraw({2, 4, 0, 5}, 3.0f);
+}
+
+// How often each cause is named, over the pixels of a picture.
+std::map<Cause, int> causes(View& view, const std::string& name, std::initializer_list<std::string_view> assignments) {
+  Drawn drawn(view, name, assignments);
+  PointReference reference(view.scene());
+  std::map<Cause, int> counts;
+  for (uint32_t y = 1; y < k_size.y; y += 3) {
+    for (uint32_t x = 1; x < k_size.x; x += 3) {
+      PickFacts facts;
+      facts.record = drawn.pick({x, y});
+      facts.has_map = true;
+      facts.compares_depth = drawn.technique->shadow_map()->filtered == drawn.technique->shadow_map()->depth;
+      if (facts.record.seen) {
+        const SurfacePoint point = {facts.record.position_ws, facts.record.object, facts.record.normal_ws, y * k_size.x + x};
+        std::optional<PointReference::Answer> right;
+        while (!right) right = reference.answer(point, view.frame().camera().eye_ws, view.scene().lights[0]);
+        facts.hard = right->hard, facts.area = right->area;
+      }
+      ++counts[reason_of(facts).cause];
+    }
+  }
+  return counts;
+}
+
+TEST(Explain, ReasonsFitTheSettingsThatCauseThem) {
+  View view(boxes(test::make_sun({0.5f, -1.0f, 0.4f}, 0.01f)), k_size);
+  auto good = causes(view, "single/hard", {"single.size=2048"});
+  EXPECT_GT(good[Cause::none], 150);
+  EXPECT_GT(good[Cause::no_receiver], 10);
+  EXPECT_GT(good[Cause::sky], 10);
+  EXPECT_LT(good[Cause::acne] + good[Cause::peter_panning] + good[Cause::unknown], 3);
+  auto acne = causes(view, "single/hard", {"single.size=512", "bias.receiver_plane=false", "bias.constant=0"});
+  EXPECT_GT(acne[Cause::acne], 30);
+  EXPECT_GT(acne[Cause::acne], 10 * (acne[Cause::resolution] + acne[Cause::unknown]));
+  auto detached = causes(view, "single/hard", {"single.size=2048", "bias.unit=centimetre", "bias.constant=70"});
+  EXPECT_GT(detached[Cause::peter_panning], 5);
+  EXPECT_EQ(detached[Cause::acne], 0);
+  auto blurred = causes(view, "single/pcf", {"single.size=256", "pcf.size=9"});
+  EXPECT_GT(blurred[Cause::filter_width], 5);
+  EXPECT_EQ(blurred[Cause::acne] + blurred[Cause::light_bleeding] + blurred[Cause::unknown], 0);
+}
+
+// Two casters above one receiver: near the edge of the higher one the depths differ most.
+TEST(Explain, LightBleedingIsCalledSo) {
+  Scene scene = test::scene_with({test::floor_part(10.0f), test::box_part({-3, 1, -3}, {3, 1.2f, 3}), test::box_part({-0.5f, 8, -3}, {0.5f, 8.2f, 3})});
+  scene.cameras.push_back(look_at("below", {0, 0.8f, 6}, {0, 0, 0}, 50.0));
+  scene.lights.push_back(test::make_sun({0, -1, 0.01f}, 0.001f));
+  View view(std::move(scene), k_size);
+  auto counts = causes(view, "single/vsm", {"single.size=256", "vsm.blur=3", "vsm.bleeding=0"});
+  EXPECT_GT(counts[Cause::light_bleeding], 5);
+  EXPECT_EQ(counts[Cause::unknown], 0);
 }
 
 TEST(Explain, DirectTechniquesHaveNoMap) {

@@ -48,6 +48,7 @@ void set_bias(PickFacts& facts, float metres) {
 void set_rise(PickFacts& facts, float metres_a_texel, bool followed) {
   PickedLayer& layer = facts.record.layers[0];
   layer.plane_gradient = layer.plane_linear_gradient = vec2(metres_a_texel / k_range_m * k_size, 0.0f);
+  layer.follows_plane = followed;
   if (followed) layer.depth_gradient = layer.plane_gradient;
   for (int i = 0; i < 225; ++i) layer.depths[i] = 0.5f + static_cast<float>(i % 15 - 7) * metres_a_texel / k_range_m;
 }
@@ -112,6 +113,7 @@ TEST(Reason, AcneSaysWhatThePlaneSpansAndTheBiasCovers) {
 
 TEST(Reason, AcneWhereThePlaneIsFollowed) {
   PickFacts facts = lit_receiver();
+  set_rise(facts, 0.0f, true);
   set_bias(facts, 0.01f);
   for (int dx = -1; dx <= 1; ++dx) depth_at(facts, dx, 0) = 0.5f - 0.03f / k_range_m;
   facts.record.answer = 0.6f;

@@ -140,7 +140,7 @@ void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& t
   const Technique& technique = *techniques.techniques()[light_];
   if (options_.overlay != k_overlay_none) explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, opacity_);
   if (place_) explainer_.record_pick(recorder, frame, light_, technique, pixel(session));
-  explainer_.record_views(recorder, technique);
+  if (options_.lines || overlay_needs_map(options_.overlay)) explainer_.record_views(recorder, technique);
   map_pane_.record(recorder, technique.shadow_map(), map_layer_);
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "gpu/pipeline_target.h"
 
@@ -162,11 +163,8 @@ void MapPane::show_picture(const Image& image, float scale) {
 
 void MapPane::record(Recorder& recorder, const std::optional<ShadowMapView>& map, uint32_t layer) {
   uses_.clear();
-  probed_ = shown_ && map;
-  if (!probed_) {
-    shown_ = false;
-    return;
-  }
+  probed_ = std::exchange(shown_, false) && map;
+  if (!probed_) return;
   const Image& image = image_of(*map);
   const uint32_t size = image.info().width, kind = kind_of(image), shown_layer = std::min(layer, map->layers - 1);
   arguments_.size = size;

@@ -85,7 +85,7 @@ void show_layer(const PickFacts& facts, const PickedLayer& layer) {
     row("bias", in_texels(layer.bias_linear * layer.depth_range_m, layer));
     const vec2 rise_m = glm::abs(layer.plane_linear_gradient) * (layer.depth_range_m / layer.size);
     row("plane's rise", fmt::format("{:.3g} texels a texel{}", (rise_m.x + rise_m.y) / layer.texel_m,
-                                    layer.depth_gradient == vec2(0.0f) ? ", not followed" : ", followed"));
+                                    layer.follows_plane != 0 && facts.compares_depth ? ", followed" : ", not followed"));
     row("filter's reach", in_texels(record.radius * layer.texel_m, layer));
     ImGui::EndTable();
   }

@@ -70,6 +70,7 @@ struct PickedLayer {
   vec2 uv;                      // biased, as the filter sees it
   float depth, linear;          // of the receiver: biased; map units, and [0, 1]
   float unbiased_depth, unbiased_linear;
+  uint follows_plane;           // bias.receiver_plane
   vec2 depth_gradient;          // as the filter sees it: zero where the bias does not follow the plane
   vec2 plane_gradient;          // of the receiver's own plane, d depth / d uv
   vec2 plane_linear_gradient;   // the same of linear depth

@@ -74,6 +74,7 @@ PickedLayer pick_layer(ExplainArguments arguments, ShadowViews views, uint layer
   result.linear = at.linear;
   result.unbiased_depth = own.depth;
   result.unbiased_linear = own.linear;
+  result.follows_plane = bias.receiver_plane;
   result.depth_gradient = at.depth_gradient;
   result.plane_gradient = own.depth_gradient;
   result.plane_linear_gradient = own.linear_gradient;
