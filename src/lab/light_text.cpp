@@ -1,6 +1,7 @@
-// Parsing of lights.
+// Parsing and writing of lights.
 #include "lab/light_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -119,7 +120,62 @@ void place(Light& light, std::string_view whole, const Kind& kind, const std::ve
   light.direction = glm::normalize(*target - *position);
 }
 
+// As few digits as give the same number of Light again.
+std::string key_text(const Key& key, float member) {
+  const double value = std::clamp(static_cast<double>(member) / static_cast<double>(key.scale), static_cast<double>(key.min), static_cast<double>(key.max));
+  std::string text;
+  for (int digits = 6; digits <= 9; ++digits) {
+    text = fmt::format("{:.{}g}", value, digits);
+    if (*parse_number(text) * key.scale == member) break;
+  }
+  return text;
+}
+
+std::string angles_text(const vec3& direction) {
+  const glm::dvec3 to_sun = -glm::dvec3(direction);
+  const auto degrees = [](double angle) { return angle * 180.0 / 3.14159265358979323846 + 0.0; };
+  const double azimuth = degrees(std::atan2(to_sun.x, -to_sun.z)), elevation = degrees(std::atan2(to_sun.y, std::hypot(to_sun.x, to_sun.z)));
+  std::string text;
+  for (int digits = 4; digits <= 9; ++digits) {
+    const std::string first = fmt::format("{:.{}g}", azimuth, digits), second = fmt::format("{:.{}g}", elevation, digits);
+    text = first + "," + second;
+    if (glm::length(sun_direction(*parse_number(first), *parse_number(second)) - direction) < 2e-7f) break;
+  }
+  return text;
+}
+
+std::string point_text(const vec3& point) { return fmt::format("{},{},{}", point.x, point.y, point.z); }
+
 }  // namespace
+
+std::string light_text(const Light& light, float reach_m) {
+  GNOMON_ASSERT(light.name.find_first_of(k_not_in_light_names) == light.name.npos);
+  const Kind& kind = *std::find_if(k_kinds.begin(), k_kinds.end(), [&](const Kind& other) { return other.kind == light.kind; });
+  std::string text = std::string(kind.name) + ":";
+  text += light.kind == LightKind::directional ? angles_text(light.direction) : point_text(light.position);
+  if (kind.places == 2) {
+    // Far from the origin the target must be far away too: positions are coarse there.
+    const vec3 far = glm::abs(light.position);
+    const float reach = std::max(reach_m, 1e-3f * std::max({far.x, far.y, far.z, 1e-3f}));
+    text += ":" + point_text(light.position + reach * light.direction);
+  }
+  const Light usual = *parse_light(text);
+  std::vector<std::string> keys;
+  if (!light.name.empty() && light.name != usual.name) keys.push_back("name=" + light.name);
+  if (light.colour != usual.colour) keys.push_back(fmt::format("colour={}/{}/{}", light.colour.x, light.colour.y, light.colour.z));
+  for (const Key& key : k_keys) {
+    if (key.of[static_cast<size_t>(light.kind)] && light.*key.member != usual.*key.member) {
+      keys.push_back(fmt::format("{}={}", key.name, key_text(key, light.*key.member)));
+    }
+  }
+  return keys.empty() ? text : fmt::format("{}:{}", text, fmt::join(keys, ","));
+}
+
+float light_reach(std::string_view text) {
+  const auto pieces = split(text, ':');
+  const auto position = pieces.size() > 2 ? parse_vec3(pieces[1]) : std::nullopt, target = pieces.size() > 2 ? parse_vec3(pieces[2]) : std::nullopt;
+  return position && target ? glm::length(*target - *position) : 1.0f;
+}
 
 std::optional<vec3> parse_vec3(std::string_view text, char separator) {
   const auto pieces = split(text, separator);

@@ -16,7 +16,7 @@ void assign_preset(Settings& settings, const Preset& preset);
 void apply_view(const Preset& preset, ViewOptions& view);
 
 // Everything in force: all parameters of the techniques, of frame, reference and measure, and of light, camera and scene what
-// was set.
+// was set; for single lights what was given for them.
 Preset effective_preset(const ViewOptions& view, const std::vector<std::string>& techniques, const Settings& settings);
 
 }  // namespace gnomon

@@ -57,7 +57,7 @@ class Motion {
     const std::string name = options.path.empty() && options.sun_path.empty() ? "walk" : options.path;
     if (!name.empty()) {
       if (!options.view.camera.empty()) fail_usage("--camera and a camera path both place the camera; valid: one of them");
-      camera_path_ = &choose_camera_path(session.scene(), name);
+      camera_path_ = choose_camera_path(session.scene(), name);
       check_seconds(camera_path_->name, duration_s(*camera_path_));
     }
     if (options.sun_path.empty()) return;
@@ -91,7 +91,7 @@ class Motion {
   std::vector<Light> lights_;
   uint32_t frames_;
   double seconds_;
-  const CameraPath* camera_path_ = nullptr;
+  std::optional<CameraPath> camera_path_;
   const SunPath* sun_path_ = nullptr;
   size_t sun_ = 0;
 };

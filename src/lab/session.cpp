@@ -33,6 +33,15 @@ void warn_of_coarse_coordinates(const Scene& scene) {
   }
 }
 
+void check_lights_named(std::span<const Light> lights, const Settings& settings) {
+  for (const std::string& name : settings.lights_named()) {
+    const bool chosen = std::any_of(lights.begin(), lights.end(), [&](const Light& light) { return light.name == name; });
+    std::vector<std::string_view> names;
+    for (const Light& light : lights) names.push_back(light.name);
+    if (!chosen) fail_usage("--set {}@...: no chosen light has that name; valid: {}", name, fmt::join(names, ", "));
+  }
+}
+
 }  // namespace
 
 Session::Session(Device& device, const ViewOptions& options, Settings settings)
@@ -52,12 +61,7 @@ Session::Session(Device& device, const ViewOptions& options, Settings settings, 
   camera_ = choose_camera(scene_, options_, settings_);
   lights_ = choose_lights(scene_, options_, settings_);
   warn_of_suns_below_horizon(lights_);
-  for (const std::string& name : settings_.lights_named()) {
-    const bool chosen = std::any_of(lights_.begin(), lights_.end(), [&](const Light& light) { return light.name == name; });
-    std::vector<std::string_view> names;
-    for (const Light& light : lights_) names.push_back(light.name);
-    if (!chosen) fail_usage("--set {}@...: no chosen light has that name; valid: {}", name, fmt::join(names, ", "));
-  }
+  check_lights_named(lights_, settings_);
   gpu_scene_ = std::make_unique<GpuScene>(device_, scene_);
   record_light(lights_.front(), settings_);
   make_frame(lights_);
@@ -91,13 +95,30 @@ void Session::change(const ViewOptions& options, Settings settings) {
   settings.complete_scene_options(options_.scene);
   const Camera camera = choose_camera(scene_, options, settings);
   std::vector<Light> lights = choose_lights(scene_, options, settings);
+  check_lights_named(lights, settings);
   record_light(lights.front(), settings);
-  options_.camera = options.camera, options_.lights = options.lights;
+  const bool another_frame = other_frame(options, lights);
+  options_.camera = options.camera, options_.lights = options.lights, options_.samples = options.samples;
   settings_ = std::move(settings);
+  if (another_frame) {
+    camera_ = camera;
+    lights_ = std::move(lights);
+    make_frame(lights_);
+    return;
+  }
   set_lights(std::move(lights));
   frame_->expose();
   frame_->set_params(settings_.block("frame").as<frame_params::Params>());
   set_camera(camera);  // writes all of the frame's data
+}
+
+bool Session::other_frame(const ViewOptions& options, std::span<const Light> lights) const {
+  const auto same_kind = [](const Light& a, const Light& b) { return a.kind == b.kind; };
+  return options.samples != options_.samples || !std::equal(lights.begin(), lights.end(), lights_.begin(), lights_.end(), same_kind);
+}
+
+bool Session::needs_new_frame(const ViewOptions& options, const Settings& settings) const {
+  return other_frame(options, choose_lights(scene_, options, settings));
 }
 
 void Session::resize(uvec2 size) {

@@ -28,8 +28,8 @@ struct ViewOptions {
 // `settings`.
 Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& settings);
 std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, const Settings& settings);
-// The scene's path of that name or number. Throws Error (usage), naming the valid ones.
-const CameraPath& choose_camera_path(const Scene& scene, const std::string& text);
+// The scene's path of that name or number; a camera path may also be a .json file. Throws Error (usage), naming the valid ones.
+CameraPath choose_camera_path(const Scene& scene, const std::string& text);
 const SunPath& choose_sun_path(const Scene& scene, const std::string& text);
 // Writes what is in force of a light into `settings`.
 void record_light(const Light& light, Settings& settings);
@@ -59,9 +59,12 @@ class Session {
   // Between frames: nothing is built again, and techniques keep their objects. `lights` are the chosen ones, moved.
   void set_camera(const Camera& camera);
   void set_lights(std::vector<Light> lights);
-  // The same scene as `options` and `settings` show it: camera, lights of the same kinds, frame settings. Throws Error (usage), and is
-  // then unchanged.
+  // The same scene as `options` and `settings` show it: camera, lights, samples, frame settings. Throws Error (usage), and is then
+  // unchanged.
   void change(const ViewOptions& options, Settings settings);
+  // Whether `change` to these makes another frame, since it has other samples, more or fewer lights, or other kinds of them. Techniques
+  // of the old frame must then be gone.
+  bool needs_new_frame(const ViewOptions& options, const Settings& settings) const;
   // A frame of another size (Frame::resize); techniques stay valid.
   void resize(uvec2 size);
   // The same frame from the shaders as they are now (gpu/shader.h); the scene stays. Techniques of the old one must be gone.
@@ -82,6 +85,7 @@ class Session {
   void draw_surface();  // only the surface buffer
 
  private:
+  bool other_frame(const ViewOptions& options, std::span<const Light> lights) const;
   void make_frame(std::span<const Light> lights);
 
   Device& device_;

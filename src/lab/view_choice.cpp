@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "lab/lab_params.h"
 #include "lab/light_text.h"
+#include "lab/path_file.h"
 #include "lab/session.h"
 
 namespace gnomon {
@@ -154,9 +155,10 @@ std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options,
   return lights;
 }
 
-const CameraPath& choose_camera_path(const Scene& scene, const std::string& text) {
+CameraPath choose_camera_path(const Scene& scene, const std::string& text) {
   const auto index = find_named(scene.camera_paths, text);
-  if (!index) fail_usage("--path {}: valid: {}", text, names_of(scene.camera_paths));
+  if (!index && text.ends_with(".json")) return read_camera_path(text);
+  if (!index) fail_usage("--path {}: valid: a .json file of a path, {}", text, names_of(scene.camera_paths));
   return scene.camera_paths[*index];
 }
 

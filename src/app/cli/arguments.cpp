@@ -78,7 +78,8 @@ Settings ViewArguments::settings(const std::vector<std::string>& techniques) con
   const bool other_techniques = techniques != used.techniques,
              other_scene = given("scene") && scene != used.scene.value_or(scene);
   std::erase_if(used.set, [&](const auto& setting) {
-    const std::string id = setting.first.substr(0, setting.first.find('.'));
+    const size_t at = setting.first.find('@'), begin = at == setting.first.npos ? 0 : at + 1;  // behind the name of a light
+    const std::string id = setting.first.substr(begin, setting.first.find('.', begin) - begin);
     const bool has_part = std::any_of(specs.begin(), specs.end(),
                                       [&](const TechniqueSpec* spec) { return spec->default_settings().contains(id); });
     const bool is_useless =
@@ -94,12 +95,14 @@ Settings ViewArguments::settings(const std::vector<std::string>& techniques) con
   return settings;
 }
 
-void ViewArguments::write_preset(const std::vector<std::string>& techniques) const {
+void ViewArguments::write_preset(const std::vector<std::string>& techniques, bool together) const {
   if (written_preset.empty()) return;
   Settings effective = settings(techniques);
   const ViewOptions options = view();
   effective.complete_scene_options(options.scene);
-  write_file(written_preset, preset_text(effective_preset(options, techniques, effective)));
+  Preset written = effective_preset(options, techniques, effective);
+  written.together = together;
+  write_file(written_preset, preset_text(written));
 }
 
 }  // namespace gnomon::cli

@@ -44,8 +44,8 @@ struct ViewArguments {
   ViewOptions view() const;
   // `techniques`: those of the run. Settings of presets that none of them has are left out when the command line chose others.
   Settings settings(const std::vector<std::string>& techniques) const;
-  // --write-preset, where it was given.
-  void write_preset(const std::vector<std::string>& techniques) const;
+  // --write-preset, where it was given. `together`: each light takes the first for its kind.
+  void write_preset(const std::vector<std::string>& techniques, bool together) const;
 
  private:
   bool given(const char* option) const;

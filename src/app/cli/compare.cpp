@@ -94,7 +94,7 @@ void add_compare(CLI::App& app, const Globals& globals) {
     const Settings settings = arguments->view.settings(options.techniques);
     settings.check_used(techniques_named(options.techniques));  // before a device is opened
     warn_of_repeats(options.techniques);
-    arguments->view.write_preset(options.techniques);
+    arguments->view.write_preset(options.techniques, false);
     const auto device = globals.open_device();
     const auto folder = compare(*device, options, settings);
     const auto& lines = folder->lines();

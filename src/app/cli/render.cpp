@@ -48,7 +48,7 @@ void add_render(CLI::App& app, const Globals& globals) {
       ->transform(CLI::CheckedTransformer(names));
   command->add_option("--frames", arguments->frames, "a sequence of so many pictures along the paths: NAME_0000.png, NAME_0001.png, ...")
       ->check(CLI::Range(1u, 100000u));
-  command->add_option("--path", arguments->path, "name of a camera path of the scene: walk, turn, fly (default: walk, unless the sun moves)");
+  command->add_option("--path", arguments->path, "name of a camera path of the scene: walk, turn, fly; or a .json file, as the viewer records it (default: walk, unless the sun moves)");
   command->add_option("--sun-path", arguments->sun_path, "name of a sun path of the scene: day");
   command->add_option("--seconds", arguments->seconds, "only the first seconds of each path, for slow motion (default: all of it)")
       ->check(CLI::Range(1e-3, 1e6));
@@ -59,7 +59,7 @@ void add_render(CLI::App& app, const Globals& globals) {
     if (command->get_option("--technique")->count() == 0) options.techniques.emplace_back("cube/pcf");  // for point lights
     const Preset preset = arguments->view.preset();
     if (command->get_option("--technique")->count() == 0 && !preset.techniques.empty()) {
-      if (compete(preset.techniques)) fail_usage("preset {}: has {} techniques; choose with --technique", preset.name, preset.techniques.size());
+      if (!preset.together && compete(preset.techniques)) fail_usage("preset {}: has {} techniques; choose with --technique", preset.name, preset.techniques.size());
       options.techniques = preset.techniques;
     }
     options.picture = arguments->picture;
@@ -68,7 +68,7 @@ void add_render(CLI::App& app, const Globals& globals) {
     options.path = arguments->path, options.sun_path = arguments->sun_path;
     options.seconds = arguments->seconds;
     const Settings settings = arguments->view.settings(options.techniques);  // before a device is opened
-    arguments->view.write_preset(preset.techniques.empty() ? arguments->techniques : options.techniques);
+    arguments->view.write_preset(preset.techniques.empty() ? arguments->techniques : options.techniques, true);
     const auto device = globals.open_device();
     render(*device, options, settings);
   });

@@ -31,7 +31,7 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   }
   const viewer::ExplainOptions explain = viewer::parse_explain_options(arguments.overlay, arguments.pick, arguments.map);
   viewer::ViewState state{arguments.view.view(), techniques, arguments.view.settings(techniques), {}};
-  arguments.view.write_preset(techniques);
+  arguments.view.write_preset(techniques, true);
   viewer::Window window(state.view.size, "gnomon: " + state.view.scene);
   DeviceOptions options = globals.device;
   options.window = window.needs();

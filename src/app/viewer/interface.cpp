@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <cmath>
+
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 
@@ -31,6 +33,12 @@ Interface::Interface(Device& device, const Window& window) : device_(device) {
   ImGui::GetIO().IniFilename = nullptr;  // nothing is left behind in the user's folder
   ImGui::StyleColorsDark();
   ImGui::GetStyle().WindowRounding = ImGui::GetStyle().FrameRounding = 3.0f;
+  // The default font is of 13 pixels.
+  const float scale = window.interface_scale();
+  ImFontConfig font;
+  font.SizePixels = std::round(13.0f * scale);
+  ImGui::GetIO().Fonts->AddFontDefault(&font);
+  ImGui::GetStyle().ScaleAllSizes(scale);
   ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
   ImGui_ImplVulkan_InitInfo info = {};
   info.Instance = device.instance();

@@ -55,6 +55,7 @@ void Panels::window(Wishes& wishes, const Session& session) const {
 
 void Panels::technique(ViewState& state, Session& session, const TechniqueSet& techniques) {
   const auto lights = session.frame().lights();
+  light_ = std::min(light_, lights.size() - 1);  // some may have been removed
   const auto label = [&](size_t i) { return fmt::format("{} ({})##{}", lights[i].name, light_kind_name(lights[i].kind), i); };
   if (lights.size() > 1 && ImGui::BeginCombo("light", label(light_).c_str())) {
     for (size_t i = 0; i < lights.size(); ++i) {

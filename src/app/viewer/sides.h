@@ -40,8 +40,8 @@ class Sides {
   float divider() const;
   void flip() { flipped_ = !flipped_; }
   void toggle_error() { error_ = !error_; }
-  // Techniques and pictures no longer hold: the session's frame is made again.
-  void forget() { techniques_.clear(), second_key_.clear(); }
+  // The session's frame is made again: nothing of the old one may be held.
+  void forget() { techniques_.clear(), second_key_.clear(), score_ = {}, reference_.reset(); }
   bool wants_reference() const { return second_ == SecondSide::reference || error_ || scores_; }
   bool waits_for_reference() const { return wants_reference() && !(reference_ && reference_->complete()); }
 

@@ -17,6 +17,11 @@ const TechniqueSpec* technique_for(const std::vector<std::string>& names, LightK
   return nullptr;
 }
 
+std::string part_of(const std::string& key) {
+  const size_t at = key.find('@'), begin = at == key.npos ? 0 : at + 1;  // a light's name may hold points
+  return key.substr(begin, key.find('.', begin) - begin);
+}
+
 Settings ViewState::settings() const {
   Settings settings = base;
   for (const auto& [key, value] : edits) settings.assign(key + "=" + value);
@@ -49,8 +54,7 @@ std::vector<std::string> ViewState::words(const std::string& subcommand, const s
   for (const std::string& light : view.lights) add_option("--light", light);
   add_option(technique_option.c_str(), fmt::format("{}", fmt::join(techniques, ",")));
   const auto add = [&](const std::string& key, const std::string& value) {
-    const size_t at = key.find('@');
-    const std::string id = key.substr(at == key.npos ? 0 : at + 1, key.find('.') - (at == key.npos ? 0 : at + 1));
+    const std::string id = part_of(key);
     // What belongs to a technique that is no longer shown would be refused.
     const bool used = !Settings::is_technique_part(id) || std::any_of(techniques.begin(), techniques.end(), [&](const std::string& name) {
       return find_technique(name).default_settings().contains(id);
@@ -66,7 +70,8 @@ std::vector<std::string> ViewState::words(const std::string& subcommand, const s
 }
 
 bool ViewState::same_picture(const ViewState& other) const {
-  return view.camera == other.view.camera && techniques == other.techniques && edits == other.edits;
+  return view.camera == other.view.camera && view.lights == other.view.lights && view.samples == other.view.samples &&
+         techniques == other.techniques && edits == other.edits && base.assignments() == other.base.assignments();
 }
 
 }  // namespace gnomon::viewer

@@ -25,6 +25,9 @@ struct ViewState {
   bool same_picture(const ViewState& other) const;
 };
 
+// "sun@pcf.size" -> "pcf"
+std::string part_of(const std::string& key);
+
 // The first of the names that supports a kind of light; null where none does.
 const TechniqueSpec* technique_for(const std::vector<std::string>& names, LightKind kind);
 

@@ -60,6 +60,7 @@ Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recen
       interface_(screen.interface),
       panels_(session_->settings()),
       explain_(device_, interface_.render_pass(), options.explain),
+      state_panels_(state_),
       camera_(session_->camera(), session_->scene().bounds().radius()),
       timings_(device_.info().software),
       outputs_(device_),
@@ -116,8 +117,9 @@ void Viewer::draw() {
   ViewState next = state_;
   interface_.begin_frame();
   handle_keys();
+  state_panels_.before_panels(next, camera_, *session_, window_, static_cast<double>(seconds), message_);
   move_camera(next, std::min(seconds, k_longest_step_s));
-  panels_.set_speed(camera_.speed());
+  panels_.set_speed(camera_.camera().speed());
   if (wishes_.interface) {
     if (begin_main_panel()) {
       if (const auto scene = scene_panel_.show(state_.view.scene, recent_)) open(*scene);
@@ -126,6 +128,7 @@ void Viewer::draw() {
     panels_.show(next, wishes_, *session_, techniques_);
     if (begin_main_panel() && ImGui::CollapsingHeader("Compare")) sides_.show(next, *session_, panels_.light());
     ImGui::End();
+    state_panels_.show(next, camera_, *session_, message_);
     explain_.show(window_, *session_, techniques_);
     measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
     outputs_.show(next, *session_);
@@ -138,7 +141,10 @@ void Viewer::draw() {
   panels_.show_message(outputs_.message());
   interface_.end_frame();
   const bool same_view = next.view.camera == state_.view.camera;
+  if (const auto travelled = state_panels_.travel(state_)) next = *travelled;
   if (!next.same_picture(state_)) apply(next);
+  state_panels_.remember(state_);
+  state_panels_.follow_camera(camera_, *session_);
   follow_size();
   shaders_.update([&] { rebuild(); });
 
@@ -170,6 +176,7 @@ void Viewer::draw() {
 }
 
 void Viewer::handle_keys() {
+  if (interface_.takes_keys()) return;
   if (window_.pressed(GLFW_KEY_F12)) wishes_.screenshot = true;
   if (window_.pressed(GLFW_KEY_F1)) wishes_.interface = !wishes_.interface;
   if (!interface_.takes_keys()) {
@@ -189,18 +196,22 @@ void Viewer::move_camera(ViewState& state, float seconds) {
     input.move = {axis({GLFW_KEY_D}, {GLFW_KEY_A}), axis({GLFW_KEY_SPACE, GLFW_KEY_E}, {GLFW_KEY_LEFT_SHIFT, GLFW_KEY_Q}),
                   axis({GLFW_KEY_W}, {GLFW_KEY_S})};
   }
-  const bool looks = window_.right_button() && !interface_.takes_mouse();
+  // Alt and a drag: around what is looked at.
+  input.around = window_.held(GLFW_KEY_LEFT_ALT) && !interface_.takes_keys();
+  const bool left = input.around && glfwGetMouseButton(window_.handle(), GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && !state_panels_.has_mouse();
+  const bool looks = (window_.right_button() || left) && !interface_.takes_mouse();
   if (looks) input.look_px = window_.mouse_motion();
   window_.capture_mouse(looks);
   if (!interface_.takes_mouse()) input.wheel = interface_.wheel();
   if (!camera_.update(input, seconds)) return;
+  state_panels_.user_moves_camera();
   // A camera given as text has the lens of the settings: that of the scene's camera goes with it.
   if (!session_->camera().orthographic) {
     for (const char* name : {"vertical_fov", "near"}) {
       state.edits.try_emplace(fmt::format("camera.{}", name), session_->settings().block("camera").text(name));
     }
   }
-  state.view.camera = camera_.text();
+  state.view.camera = camera_.camera().text();
 }
 
 void Viewer::draw_second() {
@@ -218,8 +229,12 @@ void Viewer::guarded(const std::function<void()>& work) {
 }
 
 void Viewer::apply(const ViewState& next) {
+  const auto change = [this](const ViewState& state) {
+    if (session_->needs_new_frame(state.view, state.settings())) techniques_.clear(), sides_.forget();
+    session_->change(state.view, state.settings());
+  };
   try {
-    session_->change(next.view, next.settings());
+    change(next);
     techniques_.update(*session_, next.techniques);
     if (next.techniques != state_.techniques) timings_.clear(), render_scale_.forget();
     state_ = next;
@@ -228,7 +243,7 @@ void Viewer::apply(const ViewState& next) {
     // What the user may have asked for is shown; what validation says, and a lost device, end the program.
     if (device_.validates() && error.code() == ExitCode::failure) throw;
     message_ = error.what();
-    session_->change(state_.view, state_.settings());
+    change(state_);
     techniques_.update(*session_, state_.techniques);
   }
 }

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/viewer/explain.h"
-#include "app/viewer/fly_camera.h"
+#include "app/viewer/camera_rig.h"
 #include "app/viewer/opening.h"
 #include "app/viewer/measure_panel.h"
 #include "app/viewer/outputs.h"
@@ -16,6 +16,7 @@
 #include "app/viewer/scene_panel.h"
 #include "app/viewer/screen.h"
 #include "app/viewer/shader_reload.h"
+#include "app/viewer/state_panels.h"
 #include "app/viewer/sides.h"
 
 namespace gnomon::viewer {
@@ -73,7 +74,8 @@ class Viewer {
   Interface& interface_;
   Panels panels_;
   Explain explain_;
-  FlyCamera camera_;
+  StatePanels state_panels_;
+  CameraRig camera_;
   Timings timings_;
   MeasurePanel measure_;
   ShaderReload shaders_;

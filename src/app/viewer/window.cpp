@@ -80,6 +80,17 @@ uvec2 Window::size() const {
 }
 
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+float Window::interface_scale() const {
+  float x = 1.0f, y = 1.0f;
+  glfwGetWindowContentScale(window_, &x, &y);
+  int width = 0, height = 0, width_px = 0, height_px = 0;
+  glfwGetWindowSize(window_, &width, &height);
+  glfwGetFramebufferSize(window_, &width_px, &height_px);
+  // Where a unit of the window is several pixels already, the interface is drawn larger without this.
+  const float unit_px = width > 0 ? static_cast<float>(width_px) / static_cast<float>(width) : 1.0f;
+  return std::clamp(x / unit_px, 0.5f, 4.0f);
+}
+
 bool Window::closing() const { return glfwWindowShouldClose(window_); }
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 

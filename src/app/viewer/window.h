@@ -25,6 +25,8 @@ class Window {
 
   uvec2 size() const;  // pixels; 0 x 0 while it is minimised
   void set_title(const std::string& title);
+  // How much larger than usual the user wants text and widgets, in pixels of the window.
+  float interface_scale() const;
   bool closing() const;
   void close();
 

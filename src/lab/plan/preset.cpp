@@ -83,6 +83,7 @@ Preset read_preset(const json& object, const std::string& name) {
   if (fields.has("technique") && fields.has("techniques"))
     fail_usage("{}: has both 'technique' and 'techniques'; valid: one of them", name);
   preset.techniques = fields.texts(fields.has("technique") ? "technique" : "techniques");
+  preset.together = fields.has("technique");
   preset.lights = fields.texts("lights");
   if (fields.has("size")) preset.size = read_size(fields);
   if (fields.has("samples")) preset.samples = read_samples(fields);
@@ -112,7 +113,7 @@ Preset load_preset(const std::string& name_or_path) {
 void overlay(Preset& base, const Preset& top) {
   if (top.scene) base.scene = top.scene;
   if (top.camera) base.camera = top.camera;
-  if (!top.techniques.empty()) base.techniques = top.techniques;
+  if (!top.techniques.empty()) base.techniques = top.techniques, base.together = top.together;
   if (!top.lights.empty()) base.lights = top.lights;
   if (top.size) base.size = top.size;
   if (top.samples) base.samples = top.samples;
@@ -124,7 +125,7 @@ std::string preset_text(const Preset& preset) {
   if (!preset.description.empty()) object["description"] = preset.description;
   if (!preset.source.empty()) object["source"] = preset.source;
   if (preset.scene) object["scene"] = *preset.scene;
-  if (!preset.techniques.empty()) object["techniques"] = preset.techniques;
+  if (!preset.techniques.empty()) object[preset.together ? "technique" : "techniques"] = preset.techniques;
   if (!preset.lights.empty()) object["lights"] = preset.lights;
   if (preset.camera) object["camera"] = *preset.camera;
   if (preset.size) object["size"] = {preset.size->x, preset.size->y};

@@ -1,0 +1,162 @@
+#include "app/viewer/light_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/light_text.h"
+#include "scene/path.h"
+
+namespace gnomon::viewer {
+namespace {
+
+constexpr float k_degree = k_pi / 180.0f;
+
+// An angle that is kept in radians, in degrees.
+bool degrees(const char* label, float& radians, float min, float max, const char* help) {
+  float value = radians / k_degree;
+  const bool changed = ImGui::SliderFloat(label, &value, min, max, "%.3g", ImGuiSliderFlags_AlwaysClamp);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+  if (changed) radians = value * k_degree;
+  return changed;
+}
+
+bool length(const char* label, float& metres, float max, float scale_m, const char* help) {
+  const bool changed = ImGui::DragFloat(label, &metres, 0.002f * scale_m, 0.0f, max, "%.4g", ImGuiSliderFlags_AlwaysClamp);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+  return changed;
+}
+
+// The hour at which a sun on the path stands nearest to where this one does.
+double hour_of(const SunPath& path, const Light& sun) {
+  constexpr int k_steps = 240;
+  double best = path.first_hour;
+  float nearest = -2.0f;
+  for (int i = 0; i <= k_steps; ++i) {
+    const double hour = path.first_hour + (path.last_hour - path.first_hour) * i / k_steps;
+    const float cosine = glm::dot(sun_at(path, hour).direction, sun.direction);
+    if (cosine > nearest) nearest = cosine, best = hour;
+  }
+  return best;
+}
+
+}  // namespace
+
+void LightPanel::show(ViewState& state, const Session& session) {
+  ImGui::Checkbox("handles in the picture", &gizmo_on_);
+  list(state, session);
+  auto lights = lights_of(state, session.chosen_lights());
+  chosen_ = std::min(chosen_, lights.size() - 1);
+  ListedLight& listed = lights[chosen_];
+  ImGui::PushItemWidth(0.58f * ImGui::GetContentRegionAvail().x);
+  if (named_ != chosen_) {
+    named_ = chosen_;
+    name_[listed.light.name.copy(name_, sizeof name_ - 1)] = '\0';
+  }
+  ImGui::InputText("name", name_, sizeof name_);
+  const bool renamed = ImGui::IsItemDeactivatedAfterEdit();
+  if (!ImGui::IsItemActive()) named_ = ~size_t{0};  // as it is in the next frame
+  if (renamed) listed.light.name = name_;
+  const bool changed = edit(listed, session) || renamed;
+  ImGui::PopItemWidth();
+  if (changed) set_light(state, session.chosen_lights(), chosen_, listed);
+}
+
+void LightPanel::list(ViewState& state, const Session& session) {
+  const auto lights = lights_of(state, session.chosen_lights());
+  for (size_t i = 0; i < lights.size(); ++i) {
+    const Light& light = lights[i].light;
+    const std::string label = fmt::format("{} ({})##light{}", light.name, light_kind_name(light.kind), i);
+    if (ImGui::Selectable(label.c_str(), i == chosen_)) chosen_ = i;
+  }
+  const vec3 centre = session.scene().bounds().centre();
+  const float scale_m = std::max(session.scene().bounds().radius(), 1e-3f);
+  for (const auto& [label, kind] : {std::pair("+ sun", LightKind::directional), std::pair("+ point", LightKind::point),
+                                    std::pair("+ spot", LightKind::spot), std::pair("+ projector", LightKind::projector)}) {
+    if (kind != LightKind::directional) ImGui::SameLine();
+    if (!ImGui::SmallButton(label)) continue;
+    add_light(state, session.chosen_lights(), usual_light(kind, centre, scale_m));
+    chosen_ = state.view.lights.size() - 1;
+  }
+  if (lights.size() > 1) {
+    ImGui::SameLine();
+    if (ImGui::SmallButton("remove")) remove_light(state, session.chosen_lights(), std::min(chosen_, lights.size() - 1));
+  }
+}
+
+bool LightPanel::edit(ListedLight& listed, const Session& session) {
+  Light& light = listed.light;
+  const float scale_m = std::max(session.scene().bounds().radius(), 1e-3f);
+  bool changed = light.kind == LightKind::directional ? edit_sun(light, session) : edit_lamp(listed, session);
+  changed = ImGui::ColorEdit3("colour", &light.colour.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR) || changed;
+  light.colour = glm::max(light.colour, vec3(0.0f));
+  const char* unit = light.parallel() ? "intensity [lux]" : "intensity [cd]";
+  changed = ImGui::DragFloat(unit, &light.intensity, std::max(0.01f * light.intensity, 1e-3f), 0.0f, 1e9f, "%.4g", ImGuiSliderFlags_AlwaysClamp) || changed;
+  if (light.parallel()) {
+    changed = degrees("size [degree]", light.angular_diameter, 0.0f, 60.0f, "angular diameter of the disc; 0 makes shadows hard") || changed;
+  } else {
+    changed = length("radius [m]", light.radius, 1e4f, 0.1f * scale_m, "of the shining sphere; 0 makes shadows hard") || changed;
+    changed = length("range [m]", light.range, 1e6f, scale_m, "where its light ends; 0: nowhere") || changed;
+  }
+  return changed;
+}
+
+bool LightPanel::edit_sun(Light& sun, const Session& session) {
+  const glm::dvec3 to_sun = -glm::dvec3(sun.direction);
+  auto azimuth = static_cast<float>(std::atan2(to_sun.x, -to_sun.z)) / k_degree;
+  auto elevation = static_cast<float>(std::atan2(to_sun.y, std::hypot(to_sun.x, to_sun.z))) / k_degree;
+  bool turned = ImGui::SliderFloat("azimuth [degree]", &azimuth, -180.0f, 180.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp);
+  turned = ImGui::SliderFloat("elevation [degree]", &elevation, -90.0f, 90.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp) || turned;
+  if (turned) sun.direction = sun_direction(azimuth, elevation);
+  if (session.scene().sun_paths.empty()) return turned;
+  const SunPath& path = session.scene().sun_paths.front();
+  auto hour = static_cast<float>(hour_of(path, sun));
+  const auto minutes = static_cast<int>(60.0f * hour + 0.5f);
+  const std::string clock = fmt::format("{}:{:02}", minutes / 60, minutes % 60);
+  const bool chosen = ImGui::SliderFloat("time of day", &hour, static_cast<float>(path.first_hour), static_cast<float>(path.last_hour), clock.c_str(),
+                                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("on the sun path '%s', which also sets colour and intensity", path.name.c_str());
+  if (chosen) {
+    const SunState state = sun_at(path, static_cast<double>(hour));
+    sun.direction = state.direction, sun.colour = state.colour, sun.intensity = state.intensity;
+  }
+  return turned || chosen;
+}
+
+bool LightPanel::edit_lamp(ListedLight& listed, const Session& session) {
+  Light& light = listed.light;
+  const float scale_m = std::max(session.scene().bounds().radius(), 1e-3f), step = 0.002f * scale_m;
+  vec3 target = listed.target();
+  const bool aims = light.kind != LightKind::point;
+  bool changed = ImGui::DragFloat3("position [m]", &light.position.x, step, 0.0f, 0.0f, "%.3g");
+  if (aims) {
+    changed = ImGui::DragFloat3("target [m]", &target.x, step, 0.0f, 0.0f, "%.3g") || changed;
+    if (changed) listed.aim_at(target);
+  }
+  if (light.kind == LightKind::spot) {
+    if (degrees("outer cone [degree]", light.outer_cone, 0.1f, 90.0f, "half angle: outside it is dark")) {
+      light.inner_cone = std::min(light.inner_cone, light.outer_cone);
+      changed = true;
+    }
+    changed = degrees("inner cone [degree]", light.inner_cone, 0.0f, light.outer_cone / k_degree, "half angle: inside it is bright") || changed;
+  }
+  if (light.kind == LightKind::projector && length("beam [m]", light.beam_radius, 1e6f, scale_m, "radius of the beam")) {
+    light.beam_radius = std::max(light.beam_radius, 1e-3f);
+    changed = true;
+  }
+  return changed;
+}
+
+void LightPanel::show_gizmo(ViewState& state, Session& session) {
+  if (!gizmo_on_) return;
+  auto lights = lights_of(state, session.chosen_lights());
+  chosen_ = std::min(chosen_, lights.size() - 1);
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const ScreenSpace screen(session.frame().camera(), {size.x, size.y});
+  const size_t before = chosen_;
+  if (gizmo_.show(lights, chosen_, screen)) set_light(state, session.chosen_lights(), before, lights[before]);
+}
+
+}  // namespace gnomon::viewer

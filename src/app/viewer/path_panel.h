@@ -1,0 +1,35 @@
+// Paths of cameras and suns: playing them, recording a walk.
+#pragma once
+
+#include "app/viewer/camera_rig.h"
+#include "app/viewer/path_player.h"
+#include "app/viewer/path_recorder.h"
+#include "app/viewer/view_state.h"
+
+namespace gnomon::viewer {
+
+class PathPanel {
+ public:
+  // Moves camera and sun of the state as time passes. True when it placed the camera.
+  bool advance(ViewState& state, const Session& session, const CameraRig& rig, double seconds);
+  // Throws Error where a file cannot be read or written.
+  void show(const Session& session, const CameraRig& rig);
+  // The user walks: the camera is no longer the path's.
+  void stop_camera() { camera_.playing = false; }
+
+ private:
+  const CameraPath& path(const Session& session) const;
+  void record(const CameraRig& rig);
+  void files();
+
+  Playhead camera_, sun_;
+  bool camera_scrubbed_ = false, sun_scrubbed_ = false;
+  size_t camera_path_ = 0, sun_path_ = 0;  // of the scene's, then of own ones
+  std::vector<CameraPath> own_;            // recorded or loaded
+  int recorded_ = 0;
+  PathRecorder recorder_;
+  char file_[256] = "walk.json";
+  std::string done_;  // what was written or read last
+};
+
+}  // namespace gnomon::viewer

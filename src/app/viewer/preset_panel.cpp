@@ -1,0 +1,66 @@
+#include "app/viewer/preset_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <filesystem>
+
+#include "app/viewer/view_preset.h"
+#include "base/file.h"
+
+namespace gnomon::viewer {
+
+void PresetPanel::show(ViewState& state, uvec2 size) {
+  ImGui::Checkbox("keep camera and lights", &keep_view_);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("of a preset take technique, samples and settings only");
+  builtin_ones(state);
+  ImGui::SetNextItemWidth(0.45f * ImGui::GetContentRegionAvail().x);
+  ImGui::InputText("##preset", file_, sizeof file_);
+  ImGui::SameLine();
+  if (ImGui::Button("load")) load(state, file_);
+  ImGui::SameLine();
+  save(state, size);
+  if (ImGui::Button("copy preset JSON")) {
+    ImGui::SetClipboardText(preset_text(preset_of(state, size)).c_str());
+    done_ = "copied: --preset reads it from a file";
+  }
+  if (!done_.empty()) ImGui::TextWrapped("%s", done_.c_str());
+}
+
+void PresetPanel::load(ViewState& state, const std::string& name) {
+  const Preset preset = load_preset(name);
+  state = with_preset(state, preset, keep_view_);
+  done_ = fmt::format("loaded {}", name);
+  if (for_other_scene(state, preset)) done_ += fmt::format("; it is for the scene {}: camera and lights stay as they are", *preset.scene);
+}
+
+void PresetPanel::builtin_ones(ViewState& state) {
+  ImGui::SetNextItemWidth(-1.0f);
+  if (!ImGui::BeginCombo("##builtin", "built-in presets", ImGuiComboFlags_HeightLarge)) return;
+  for (const Preset& preset : builtin_presets()) {
+    if (ImGui::Selectable(preset.name.c_str())) load(state, preset.name);
+    if (!ImGui::IsItemHovered()) continue;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30.0f);
+    ImGui::TextWrapped("%s\n\n%s\nscene %s", preset.description.c_str(), preset.source.c_str(), preset.scene.value_or("any").c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+  }
+  ImGui::EndCombo();
+}
+
+void PresetPanel::save(const ViewState& state, uvec2 size) {
+  if (asks_ != file_) asks_.clear();  // another name was typed
+  const bool replaces = !asks_.empty();
+  if (!ImGui::Button(replaces ? "replace it?###save" : "save###save")) return;
+  if (!replaces && std::filesystem::exists(file_)) {
+    asks_ = file_;
+    done_ = fmt::format("{} exists; click again to replace it", file_);
+    return;
+  }
+  asks_.clear();
+  write_file(file_, preset_text(preset_of(state, size)));
+  done_ = fmt::format("wrote {}", file_);
+}
+
+}  // namespace gnomon::viewer

@@ -1,0 +1,86 @@
+#include "app/viewer/state_panels.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace gnomon::viewer {
+namespace {
+
+// What the user may have asked for is shown; the program goes on.
+template <class Do>
+void attempt(std::string& message, const Do& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    message = error.what();
+  }
+}
+
+}  // namespace
+
+void StatePanels::before_panels(ViewState& state, CameraRig& rig, Session& session, const Window& window, double seconds, std::string& message) {
+  now_s_ += seconds;
+  history_.tick(now_s_, ImGui::IsAnyMouseDown());
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!io.WantTextInput) {
+    const bool shift = window.held(GLFW_KEY_LEFT_SHIFT) || window.held(GLFW_KEY_RIGHT_SHIFT);
+    const bool z = window.control_held() && window.pressed(GLFW_KEY_Z), y = window.control_held() && window.pressed(GLFW_KEY_Y);
+    wants_undo_ = wants_undo_ || (z && !shift);
+    wants_redo_ = wants_redo_ || (z && shift) || y;
+    camera_placed_ = cameras_.keys(state, rig, session, window) || camera_placed_;
+  }
+  if (ImGui::IsMouseDoubleClicked(0) && !io.WantCaptureMouse && !has_mouse() && cameras_.focus(rig, session)) {
+    state.view.camera = rig.camera().text();
+    user_moves_camera();
+  }
+  attempt(message, [&] { camera_placed_ = paths_.advance(state, session, rig, seconds) || camera_placed_; });
+}
+
+void StatePanels::show(ViewState& state, CameraRig& rig, Session& session, std::string& message) {
+  const float unit = ImGui::GetFontSize() / 13.0f;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float width = std::min(310.0f * unit, screen.x - 16.0f);
+  ImGui::SetNextWindowPos({screen.x - width - 8.0f, 8.0f}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({width, std::max(screen.y - 16.0f - 160.0f * unit, 60.0f)}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowCollapsed(screen.x < 1000.0f * unit, ImGuiCond_FirstUseEver);  // the picture would be hidden
+  bool lights_open = false;
+  if (ImGui::Begin("scene")) {
+    const auto button = [](const char* label, bool enabled) {
+      ImGui::BeginDisabled(!enabled);
+      const bool clicked = ImGui::Button(label);
+      ImGui::EndDisabled();
+      return clicked;
+    };
+    wants_undo_ = button("undo (Ctrl+Z)", history_.can_undo()) || wants_undo_;
+    ImGui::SameLine();
+    wants_redo_ = button("redo (Ctrl+Y)", history_.can_redo()) || wants_redo_;
+    lights_open = ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen);
+    if (lights_open) attempt(message, [&] { lights_.show(state, session); });
+    if (ImGui::CollapsingHeader("Camera", ImGuiTreeNodeFlags_DefaultOpen)) camera_placed_ = cameras_.show(state, rig, session) || camera_placed_;
+    if (ImGui::CollapsingHeader("Paths")) attempt(message, [&] { paths_.show(session, rig); });
+    if (ImGui::CollapsingHeader("Presets")) attempt(message, [&] { presets_.show(state, session.options().size); });
+  }
+  ImGui::End();
+  if (lights_open) attempt(message, [&] { lights_.show_gizmo(state, session); });
+  cameras_.show_centre(rig, session);
+}
+
+std::optional<ViewState> StatePanels::travel(const ViewState& state) {
+  const bool undo = std::exchange(wants_undo_, false) && history_.can_undo(), redo = std::exchange(wants_redo_, false) && history_.can_redo();
+  if (!undo && !redo) return std::nullopt;
+  ViewState next = undo ? history_.undo() : history_.redo();
+  next.view.size = state.view.size;
+  camera_placed_ = true;
+  paths_.stop_camera();
+  return next;
+}
+
+void StatePanels::follow_camera(CameraRig& rig, const Session& session) {
+  if (std::exchange(camera_placed_, false)) rig.stand_at(session.camera());
+}
+
+}  // namespace gnomon::viewer

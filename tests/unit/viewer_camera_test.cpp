@@ -1,0 +1,103 @@
+// Cameras of the viewer: orbit, saved ones, playback, recording.
+#include <gtest/gtest.h>
+
+#include "app/viewer/camera_rig.h"
+#include "app/viewer/path_player.h"
+#include "app/viewer/path_recorder.h"
+#include "app/viewer/saved_cameras.h"
+
+namespace gnomon::viewer {
+namespace {
+
+Camera camera_at_origin() { return {}; }  // looks along -Z
+
+TEST(CameraRig, an_orbit_keeps_its_distance_and_its_centre) {
+  CameraRig rig(camera_at_origin(), 10.0f);
+  const vec3 centre(1, 0, -4);
+  rig.focus(centre);
+  rig.set_orbits(true);
+  const float distance = glm::length(centre);
+  for (int i = 0; i < 20; ++i) {
+    CameraInput input;
+    input.look_px = {30.0f, 3.0f};
+    ASSERT_TRUE(rig.update(input, 0.1f));
+    EXPECT_NEAR(glm::length(centre - rig.camera().eye()), distance, 1e-3f);
+    EXPECT_GT(glm::dot(glm::normalize(centre - rig.camera().eye()), rig.camera().forward()), 0.9999f);
+  }
+  CameraInput closer;
+  closer.wheel = 3.0f;
+  ASSERT_TRUE(rig.update(closer, 0.1f));
+  EXPECT_LT(glm::length(centre - rig.camera().eye()), 0.8f * distance);
+  EXPECT_FALSE(rig.update({}, 0.1f));
+}
+
+TEST(CameraRig, flies_where_it_does_not_orbit) {
+  CameraRig rig(camera_at_origin(), 10.0f);
+  CameraInput input;
+  input.move = {0, 0, 1};
+  ASSERT_TRUE(rig.update(input, 1.0f));
+  EXPECT_LT(rig.camera().eye().z, -0.5f);
+  input = {};
+  input.wheel = 1.0f;
+  const float speed = rig.camera().speed();
+  EXPECT_FALSE(rig.update(input, 1.0f));
+  EXPECT_GT(rig.camera().speed(), speed);
+}
+
+TEST(SavedCameras, bring_place_and_lens_back) {
+  SavedCameras saved;
+  ViewState state;
+  saved.store(1, state);
+  state.view.camera = "0,0,0:1,0,0";
+  state.edits = {{"camera.vertical_fov", "40"}, {"pcf.size", "5"}};
+  saved.store(2, state);
+  EXPECT_TRUE(saved.recall(1, state));
+  EXPECT_EQ(state.view.camera, "");
+  EXPECT_EQ(state.edits.size(), 1u);
+  EXPECT_TRUE(saved.recall(2, state));
+  EXPECT_EQ(state.view.camera, "0,0,0:1,0,0");
+  EXPECT_EQ(state.edits.at("camera.vertical_fov"), "40");
+  EXPECT_EQ(saved.free_number(), 3);
+  saved.remove(1);
+  EXPECT_FALSE(saved.recall(1, state));
+  EXPECT_EQ(saved.numbers(), std::vector<int>{2});
+}
+
+TEST(Playhead, loops_or_stops_at_the_end) {
+  Playhead head;
+  head.duration_s = 10.0;
+  EXPECT_FALSE(head.advance(1.0));
+  head.play();
+  head.speed = 2.0f;
+  EXPECT_TRUE(head.advance(4.0));
+  EXPECT_DOUBLE_EQ(head.time_s, 8.0);
+  EXPECT_TRUE(head.advance(2.0));
+  EXPECT_DOUBLE_EQ(head.time_s, 2.0);
+  head.loops = false;
+  EXPECT_TRUE(head.advance(100.0));
+  EXPECT_DOUBLE_EQ(head.time_s, 10.0);
+  EXPECT_FALSE(head.playing);
+  head.play();
+  EXPECT_DOUBLE_EQ(head.time_s, 0.0);
+}
+
+TEST(PathRecorder, a_walk_becomes_a_path) {
+  PathRecorder recorder;
+  recorder.start({{0, 0, 0}, {0, 0, -1}});
+  for (int i = 0; i < 10; ++i) recorder.add(0.04, {{0, 0, 0}, {0, 0, -1}});  // waits
+  for (int i = 1; i <= 25; ++i) recorder.add(0.04, {{0.1f * static_cast<float>(i), 0, 0}, {0, 0, -1}});
+  for (int i = 0; i < 10; ++i) recorder.add(0.04, {{2.5f, 0, 0}, {0, 0, -1}});
+  const auto path = recorder.stop("mine");
+  ASSERT_TRUE(path);
+  EXPECT_EQ(path->keys.front().time_s, 0.0);
+  EXPECT_EQ(path->keys.front().eye, vec3(0, 0, 0));
+  EXPECT_EQ(path->keys.back().eye, vec3(2.5f, 0, 0));
+  EXPECT_NEAR(duration_s(*path), 1.0, 0.25);
+  EXPECT_NEAR(pose_at(*path, 0.5 * duration_s(*path)).eye.x, 1.25f, 0.3f);
+  recorder.start({{0, 0, 0}, {0, 0, -1}});
+  recorder.add(1.0, {{0, 0, 0}, {0, 0, -1}});
+  EXPECT_FALSE(recorder.stop("nothing"));
+}
+
+}  // namespace
+}  // namespace gnomon::viewer
