@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewer/surface_pick.h"
 #include "lab/light_text.h"
 #include "scene/path.h"
 
@@ -42,15 +43,23 @@ double hour_of(const SunPath& path, const Light& sun) {
   return best;
 }
 
+// Over what the middle of the picture shows, where one sees it.
+ListedLight new_light(LightKind kind, Session& session) {
+  const CameraData& camera = session.frame().camera();
+  const float usual_m = 0.3f * std::max(session.scene().bounds().radius(), 1e-3f);
+  const vec3 target = surface_at(session.frame(), vec2(0.5f)).value_or(camera.eye_ws + usual_m * camera.forward_ws);
+  return usual_light(kind, target, std::max(glm::length(target - camera.eye_ws), 0.01f * usual_m));
+}
+
 }  // namespace
 
-void LightPanel::show(ViewState& state, const Session& session) {
+void LightPanel::show(ViewState& state, Session& session) {
   ImGui::Checkbox("handles in the picture", &gizmo_on_);
   list(state, session);
   auto lights = lights_of(state, session.chosen_lights());
   chosen_ = std::min(chosen_, lights.size() - 1);
   ListedLight& listed = lights[chosen_];
-  ImGui::PushItemWidth(0.58f * ImGui::GetContentRegionAvail().x);
+  ImGui::PushItemWidth(0.52f * ImGui::GetContentRegionAvail().x);
   if (named_ != chosen_) {
     named_ = chosen_;
     name_[listed.light.name.copy(name_, sizeof name_ - 1)] = '\0';
@@ -64,20 +73,18 @@ void LightPanel::show(ViewState& state, const Session& session) {
   if (changed) set_light(state, session.chosen_lights(), chosen_, listed);
 }
 
-void LightPanel::list(ViewState& state, const Session& session) {
+void LightPanel::list(ViewState& state, Session& session) {
   const auto lights = lights_of(state, session.chosen_lights());
   for (size_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i].light;
     const std::string label = fmt::format("{} ({})##light{}", light.name, light_kind_name(light.kind), i);
     if (ImGui::Selectable(label.c_str(), i == chosen_)) chosen_ = i;
   }
-  const vec3 centre = session.scene().bounds().centre();
-  const float scale_m = std::max(session.scene().bounds().radius(), 1e-3f);
   for (const auto& [label, kind] : {std::pair("+ sun", LightKind::directional), std::pair("+ point", LightKind::point),
                                     std::pair("+ spot", LightKind::spot), std::pair("+ projector", LightKind::projector)}) {
     if (kind != LightKind::directional) ImGui::SameLine();
     if (!ImGui::SmallButton(label)) continue;
-    add_light(state, session.chosen_lights(), usual_light(kind, centre, scale_m));
+    add_light(state, session.chosen_lights(), new_light(kind, session));
     chosen_ = state.view.lights.size() - 1;
   }
   if (lights.size() > 1) {

@@ -8,13 +8,13 @@ namespace gnomon::viewer {
 class LightPanel {
  public:
   // Changes the state's lights; the session still shows those of before. Throws Error (usage) for a name that is taken.
-  void show(ViewState& state, const Session& session);
+  void show(ViewState& state, Session& session);
   // Marks and handles; nothing while they are switched off.
   void show_gizmo(ViewState& state, Session& session);
   bool has_mouse() const { return gizmo_on_ && gizmo_.has_mouse(); }
 
  private:
-  void list(ViewState& state, const Session& session);
+  void list(ViewState& state, Session& session);
   bool edit(ListedLight& listed, const Session& session);
   bool edit_sun(Light& sun, const Session& session);
   bool edit_lamp(ListedLight& listed, const Session& session);
