@@ -90,11 +90,18 @@ void Frame::create_buffers() {
 }
 
 void Frame::resize(uvec2 size) {
-  size_ = size;
+  const uvec2 old_size = std::exchange(size_, size), old_capacity = capacity_;
   if (glm::all(glm::lessThanEqual(size, capacity_))) return;
   capacity_ = glm::max(capacity_, size);
-  create_images();
-  create_buffers();
+  try {
+    create_images();
+    create_buffers();
+  } catch (...) {
+    size_ = old_size, capacity_ = old_capacity;
+    create_images();
+    create_buffers();
+    throw;
+  }
 }
 
 void Frame::set_camera(const Camera& camera) {

@@ -25,7 +25,8 @@ class Frame {
   Frame(Device& device, const GpuScene& scene, uvec2 size, uint32_t samples, std::span<const Light> lights);
 
   // Another size. Memory grows to the largest size so far and is then kept: a smaller frame uses a part of it, so a size may change
-  // with every frame. Techniques stay valid. What was drawn is lost; set_camera must follow.
+  // with every frame. Techniques stay valid. What was drawn is lost; set_camera must follow. Throws Error where memory is used up, and keeps
+  // the old size.
   void resize(uvec2 size);
 
   // What techniques read: valid between set_camera and the next one.

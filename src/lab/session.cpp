@@ -122,8 +122,8 @@ bool Session::needs_new_frame(const ViewOptions& options, const Settings& settin
 }
 
 void Session::resize(uvec2 size) {
-  options_.size = size;
   frame_->resize(size);
+  options_.size = size;
   frame_->set_camera(camera_);
 }
 

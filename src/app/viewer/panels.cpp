@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "app/viewer/status_file.h"
+
 namespace gnomon::viewer {
 namespace {
 
@@ -20,7 +22,9 @@ bool begin_main_panel() {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize({std::min(360.0f, screen.x - 16.0f), std::max(screen.y - 16.0f, 60.0f)}, ImGuiCond_FirstUseEver);
-  return ImGui::Begin("gnomon");
+  const bool open = ImGui::Begin("gnomon");
+  if (open) note_window("panel");
+  return open;
 }
 
 void Panels::show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques) {
@@ -38,16 +42,22 @@ void Panels::show(ViewState& state, Wishes& wishes, Session& session, const Tech
 
 void Panels::window(Wishes& wishes, const Session& session) const {
   wishes.screenshot = ImGui::Button("Picture (F12)") || wishes.screenshot;
+  note_widget("screenshot");
   ImGui::SameLine();
   wishes.copy_command = ImGui::Button("Copy command") || wishes.copy_command;
+  note_widget("copy_command");
   ImGui::SameLine();
   ImGui::Checkbox("vsync", &wishes.vsync);
+  note_widget("vsync");
   ImGui::Checkbox("size of the picture follows the time of a frame", &wishes.adapt_size);
+  note_widget("adapt_size");
   ImGui::SetNextItemWidth(0.42f * ImGui::GetContentRegionAvail().x);
   if (wishes.adapt_size) {
     ImGui::SliderFloat("ms a frame", &wishes.target_ms, 5.0f, 200.0f, "%.0f", ImGuiSliderFlags_AlwaysClamp);
+    note_widget("target_ms");
   } else {
     ImGui::SliderFloat("picture / window size", &wishes.scale, 0.1f, 2.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+    note_widget("scale");
   }
   const uvec2 size = session.options().size;
   ImGui::TextDisabled("%u x %u; W A S D Q E, right mouse button; %.3g m/s (wheel)", size.x, size.y, static_cast<double>(speed_m_s_));
@@ -57,11 +67,16 @@ void Panels::technique(ViewState& state, Session& session, const TechniqueSet& t
   const auto lights = session.frame().lights();
   light_ = std::min(light_, lights.size() - 1);  // some may have been removed
   const auto label = [&](size_t i) { return fmt::format("{} ({})##{}", lights[i].name, light_kind_name(lights[i].kind), i); };
-  if (lights.size() > 1 && ImGui::BeginCombo("light", label(light_).c_str())) {
-    for (size_t i = 0; i < lights.size(); ++i) {
-      if (ImGui::Selectable(label(i).c_str(), i == light_)) light_ = i;
+  if (lights.size() > 1) {
+    if (ImGui::BeginCombo("light", label(light_).c_str())) {
+      for (size_t i = 0; i < lights.size(); ++i) {
+        if (ImGui::Selectable(label(i).c_str(), i == light_)) light_ = i;
+        note_widget("light", lights[i].name);
+      }
+      ImGui::EndCombo();
+    } else {
+      note_widget("light");
     }
-    ImGui::EndCombo();
   }
   const TechniqueSpec& shown = techniques.spec(light_);
   ImGui::SetNextItemWidth(-1.0f);
@@ -69,12 +84,15 @@ void Panels::technique(ViewState& state, Session& session, const TechniqueSet& t
     for (const TechniqueSpec& spec : all_techniques()) {
       if (!spec.supports(lights[light_].kind)) continue;
       if (ImGui::Selectable(spec.name.c_str(), &spec == &shown)) state.choose_technique(spec, lights[light_].kind, lights);
+      note_widget("technique", spec.name);
       if (!ImGui::IsItemHovered()) continue;
       ImGui::BeginTooltip();
       wrapped(spec.summary, ImGui::GetFontSize() * 30.0f);
       ImGui::EndTooltip();
     }
     ImGui::EndCombo();
+  } else {
+    note_widget("technique");
   }
   if (ImGui::TreeNode("manual page")) {
     wrapped(shown.manual, 0.0f);
@@ -117,6 +135,7 @@ void Panels::show_message(std::string& text) const {
   ImGui::SetNextWindowSize({0.9f * screen.x, 0.0f});
   bool open = true;
   if (ImGui::Begin("not possible; what was shown before is still shown", &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse)) {
+    note_window("message");
     ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.6f, 0.5f, 1.0f});
     wrapped(text, 0.0f);
     ImGui::PopStyleColor();

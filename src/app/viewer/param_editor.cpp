@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "app/viewer/status_file.h"
+
 namespace gnomon::viewer {
 namespace {
 
@@ -14,35 +16,37 @@ ImGuiSliderFlags slider_flags(const ParamInfo& info) {
 }
 
 // Draws the widget for `value`, which it changes.
-void widget(const ParamInfo& info, double& value) {
+void widget(const std::string& key, const ParamInfo& info, double& value) {
   switch (info.type) {
     case ParamType::float_: {
       float number = static_cast<float>(value);
       if (ImGui::SliderFloat("##value", &number, static_cast<float>(info.min), static_cast<float>(info.max), "%.4g", slider_flags(info))) {
         value = number;
       }
-      return;
+      break;
     }
     case ParamType::int_: {
       int number = static_cast<int>(value);
       if (ImGui::SliderInt("##value", &number, static_cast<int>(info.min), static_cast<int>(info.max), "%d", slider_flags(info))) value = number;
-      return;
+      break;
     }
     case ParamType::bool_: {
       bool on = value != 0.0;
       if (ImGui::Checkbox("##value", &on)) value = on ? 1.0 : 0.0;
-      return;
+      break;
     }
     case ParamType::choice: {
       const auto name = [&](size_t i) { return std::string(info.choices[i]); };
-      if (!ImGui::BeginCombo("##value", name(static_cast<size_t>(value)).c_str())) return;
+      if (!ImGui::BeginCombo("##value", name(static_cast<size_t>(value)).c_str())) break;
       for (size_t i = 0; i < info.choices.size(); ++i) {
         if (ImGui::Selectable(name(i).c_str(), value == static_cast<double>(i))) value = static_cast<double>(i);
+        note_widget(key, info.choices[i]);
       }
       ImGui::EndCombo();
-      return;
+      return;  // the list is open: what follows is no longer about the closed box
     }
   }
+  note_widget(key);
 }
 
 std::string text_of(const ParamInfo& info, double value) {
@@ -60,6 +64,7 @@ std::string text_of(const ParamInfo& info, double value) {
 void ParamEditor::search_field() {
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputTextWithHint("##search", "search the parameters", search_, sizeof search_);
+  note_widget("search");
 }
 
 bool ParamEditor::found(const std::string& key, const ParamInfo& info) const {
@@ -83,7 +88,7 @@ void ParamEditor::row(const std::string& key, const ParamInfo& info, const Param
   double value = dragged_key_ == key ? dragged_ : in_force;
   const double before = value;
   ImGui::SetNextItemWidth(0.42f * ImGui::GetContentRegionAvail().x);
-  widget(info, value);
+  widget(key, info, value);
   const bool drags = info.update == ParamUpdate::rebuild && (info.type == ParamType::float_ || info.type == ParamType::int_);
   if (drags && ImGui::IsItemActive()) {
     dragged_key_ = key, dragged_ = value;
@@ -110,6 +115,7 @@ void ParamEditor::row(const std::string& key, const ParamInfo& info, const Param
   if (in_force != starts.number(info.name)) {
     ImGui::SameLine();
     if (ImGui::SmallButton("reset")) change(info.name, nullptr);
+    note_widget(key, "reset");
   }
   ImGui::PopID();
 }

@@ -172,7 +172,8 @@ void Viewer::draw() {
   guarded([&] { sides_.follow(*session_); });
   if (std::exchange(wishes_.screenshot, false)) outputs_.want_picture(".png");
   outputs_.take(state_, *session_);
-  if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), state_.command(session_->options().size).c_str());
+  if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), command().c_str());
+  if (status_.on()) status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), message_, screen_.swapchain.vsync()});
 }
 
 void Viewer::handle_keys() {
@@ -260,10 +261,16 @@ void Viewer::follow_size() {
   const auto now = std::chrono::steady_clock::now();
   if (window != last_window_) last_window_ = window, window_changed_ = now;
   const uvec2 wanted = wanted_size();
-  if (wanted == session_->options().size || now - window_changed_ < k_size_settles) return;
-  state_.view.size = wanted;
-  session_->resize(wanted);
+  if (wanted == session_->options().size || wanted == refused_size_ || now - window_changed_ < k_size_settles) return;
+  refused_size_ = wanted;  // unless it goes well: the old size is then stretched to the window
+  guarded([&] {
+    session_->resize(wanted);
+    state_.view.size = wanted;
+    refused_size_.reset();
+  });
 }
+
+std::string Viewer::command() const { return state_.command(session_->options().size); }
 
 void Viewer::rebuild() {
   techniques_.clear();

@@ -18,6 +18,7 @@
 #include "app/viewer/shader_reload.h"
 #include "app/viewer/state_panels.h"
 #include "app/viewer/sides.h"
+#include "app/viewer/status_file.h"
 
 namespace gnomon::viewer {
 
@@ -57,6 +58,7 @@ class Viewer {
   void move_camera(ViewState& state, float seconds);
   void apply(const ViewState& next);
   uvec2 wanted_size() const;
+  std::string command() const;  // `gnomon render ...` of the picture, without its output
   void follow_size();
   void open(const std::string& scene);
   void follow_drops();
@@ -72,6 +74,7 @@ class Viewer {
   std::unique_ptr<Session> session_;
   TechniqueSet techniques_;
   Interface& interface_;
+  StatusFile status_;
   Panels panels_;
   Explain explain_;
   StatePanels state_panels_;
@@ -89,6 +92,7 @@ class Viewer {
   ScenePanel scene_panel_;
   RenderScale render_scale_;
   uvec2 last_window_ = uvec2(0);
+  std::optional<uvec2> refused_size_;  // there was no memory for it
   std::chrono::steady_clock::time_point window_changed_;
   std::chrono::steady_clock::time_point last_frame_;
 };

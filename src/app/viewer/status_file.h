@@ -1,0 +1,48 @@
+// What the viewer shows, as a JSON file that is replaced after each frame: window tests and the script that makes the manual's pictures
+// wait for it and click by it. Off unless the environment variable GNOMON_VIEW_STATUS names the file.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "base/maths.h"
+
+namespace gnomon::viewer {
+
+struct ViewStatus {
+  uvec2 window_size, picture_size;  // pixels
+  std::string command;              // `gnomon render ...` of the picture, without its output
+  std::string camera;               // as --camera reads it
+  std::string message;              // on screen; empty: none
+  bool vsync = true;
+  bool loading = false;             // a scene is being read; the former is still shown
+};
+
+class StatusFile {
+ public:
+  StatusFile();  // needs an ImGui context
+  ~StatusFile();
+  StatusFile(const StatusFile&) = delete;
+  StatusFile& operator=(const StatusFile&) = delete;
+
+  bool on() const { return !path_.empty(); }
+  // At the end of a frame: `status`, the number of the frame, and the widgets noted since the last one.
+  void write(const ViewStatus& status);
+
+ private:
+  friend void note_area(std::string_view name, std::string_view part, vec2 min_px, vec2 max_px);
+
+  std::filesystem::path path_;
+  nlohmann::json widgets_ = nlohmann::json::object();
+  uint64_t frame_ = 0;
+};
+
+// Behind a widget: its rectangle goes to the status file, if there is one and if the widget's middle can be clicked. `part` names one of
+// several that belong together: "single.fit:scene".
+void note_widget(std::string_view name, std::string_view part = {});
+// Between ImGui's Begin and End: the whole window's rectangle.
+void note_window(std::string_view name);
+
+}  // namespace gnomon::viewer
