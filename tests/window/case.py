@@ -1,7 +1,7 @@
 """What the window tests share: a display for the file, a folder for each test, and what is kept of one that failed."""
 import os
 import pathlib
-import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -56,25 +56,27 @@ class WindowCase(unittest.TestCase):
                 raise
         return run
 
-    def start(self, *arguments, environment=None):
+    def start(self, *arguments, **options):
         """A viewer whose window is not waited for."""
-        viewer = Viewer(self.display, self.desktop, self.folder, *arguments, environment=environment)
+        viewer = Viewer(self.display, self.desktop, self.folder, *arguments, **options)
         self.addCleanup(viewer.kill)
         return viewer
 
-    def open(self, scene="courtyard", *arguments, environment=None):
-        return self.start(scene, *(arguments or QUICK), environment=environment).open()
+    def open(self, scene="courtyard", *arguments, **options):
+        return self.start(scene, *(arguments or QUICK), **options).open()
 
     def close(self, viewer):
         """Every test ends so: what validation has to say, it says with another exit code."""
         self.assertEqual(viewer.close(), OK, viewer.stderr())
 
     def render(self, command, path):
-        """Runs the `gnomon render ...` that the viewer tells. Returns the picture."""
-        words = ["/bin/sh", "-c", re.sub(r"^gnomon ", "exec \"$0\" ", command), PROGRAM, "-o", str(path)]
-        if " -o " not in command:
-            words[2] += " \"$@\""
-        done = subprocess.run(words, capture_output=True, text=True, timeout=120, cwd=self.folder, check=False)
+        """Runs the `gnomon render ...` that the viewer tells, with an output of our own. Returns the picture."""
+        words = shlex.split(command)
+        if "-o" in words:
+            at = words.index("-o")
+            del words[at:at + 2]
+        self.assertEqual(words[:2], ["gnomon", "render"])
+        done = subprocess.run([PROGRAM, *words[1:], "-o", str(path)], capture_output=True, text=True, timeout=120, cwd=self.folder, check=False)
         self.assertEqual(done.returncode, OK, f"{command}\n{done.stderr}")
         return png.read(path)
 

@@ -50,7 +50,8 @@ class Display:
         self.processes = []
         try:
             reading, writing = os.pipe()
-            self.server = self._start(["Xvfb", "-displayfd", str(writing), "-screen", "0", screen, "-nolisten", "tcp"], pass_fds=[writing])
+            # -r: a key that is held does not repeat itself, however slow the frames are.
+            self.server = self._start(["Xvfb", "-displayfd", str(writing), "-screen", "0", screen, "-nolisten", "tcp", "-r"], pass_fds=[writing])
             os.close(writing)
             with os.fdopen(reading) as numbers:
                 if not select.select([numbers], [], [], 30)[0]:

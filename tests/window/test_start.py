@@ -1,5 +1,4 @@
 """How the window comes, and how it goes: by itself, by a key, by its frame, by a signal, and not at all."""
-import os
 import unittest
 
 from case import DEVICE, INTERRUPTED, OK, QUICK, USAGE, WindowCase

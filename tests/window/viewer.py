@@ -23,14 +23,15 @@ def difference(one, other):
 class Viewer:
     """Files of the run - stdout, stderr, status.json, pictures - are in `folder`."""
 
-    def __init__(self, display, desktop, folder, *arguments, environment=None):
+    def __init__(self, display, desktop, folder, *arguments, environment=None, runs_in=None):
         self.desktop, self.folder = desktop, pathlib.Path(folder)
         self.status_path = self.folder / "status.json"
         self.status_path.unlink(missing_ok=True)
         self.command = [PROGRAM, "view", *map(str, arguments)]
         variables = display.environment() | {"GNOMON_VIEW_STATUS": str(self.status_path), "GNOMON_VALIDATE": "1"} | (environment or {})
         with open(self.folder / "stdout", "wb") as out, open(self.folder / "stderr", "wb") as err:
-            self.process = subprocess.Popen(self.command, stdout=out, stderr=err, cwd=self.folder, env=variables, preexec_fn=end_with_parent)
+            self.process = subprocess.Popen(self.command, stdout=out, stderr=err, cwd=runs_in or self.folder, env=variables,
+                                            preexec_fn=end_with_parent)
         self.window = None
 
     # What it says.
@@ -97,9 +98,14 @@ class Viewer:
         self.frames()
 
     def type(self, text):
+        """Text arrives in events of its own, of which none is lost: nothing need be held."""
         for character in text:
-            shift = ["Shift_L"] if self.desktop.needs_shift(character) else []
-            self.press(*shift, character)
+            keys = ["Shift_L", character] if self.desktop.needs_shift(character) else [character]
+            for key in keys:
+                self.desktop.key(key, True)
+            for key in reversed(keys):
+                self.desktop.key(key, False)
+        self.frames()
 
     def hold(self, *names, frames=4):
         for name in names:
@@ -162,14 +168,18 @@ class Viewer:
             return self.widgets()[name]
         panel = self.widgets()["panel"]
         self.point((panel[0] + panel[2]) / 2, (panel[1] + panel[3]) / 2)
-        for notch in (1, -1):
+        self.scroll_to(name)
+        if name not in self.widgets():
+            raise AssertionError(f"no widget '{name}' on screen; there are: {', '.join(sorted(self.widgets()))}")
+        return self.widgets()[name]
+
+    def scroll_to(self, name):
+        """Turns the wheel where the pointer is, up and then down, until the widget is there or nothing moves any more."""
+        for notches in (2, -1):
             before = None
-            while before != (before := self.widgets()):
-                if name in before:
-                    self.frames()
-                    return self.widgets()[name]
-                self.wheel(notch)
-        raise AssertionError(f"no widget '{name}' on screen; there are: {', '.join(sorted(self.widgets()))}")
+            while name not in self.widgets() and before != (before := self.widgets()):
+                self.wheel(notches)
+        self.frames()
 
     def middle(self, name):
         left, top, right, bottom = self.rectangle(name)
@@ -183,11 +193,9 @@ class Viewer:
         self.click(name)
         full = f"{name}:{entry}"
         self.until(lambda status: any(other.startswith(f"{name}:") for other in status["widgets"]), f"the list of '{name}'")
-        seen = None
-        while full not in self.widgets() and seen != (seen := self.widgets()):
-            entries = [area for other, area in seen.items() if other.startswith(f"{name}:")]
-            self.point((entries[0][0] + entries[0][2]) / 2, (entries[0][1] + entries[0][3]) / 2)
-            self.wheel(-1)
+        entry_area = next(area for other, area in self.widgets().items() if other.startswith(f"{name}:"))
+        self.point((entry_area[0] + entry_area[2]) / 2, (entry_area[1] + entry_area[3]) / 2)
+        self.scroll_to(full)
         if full not in self.widgets():
             raise AssertionError(f"no entry '{full}'; there are: {', '.join(sorted(self.widgets()))}")
         self.click_at(*self.middle(full))
