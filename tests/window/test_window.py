@@ -1,6 +1,4 @@
 """The window itself: other sizes, minimised, vsync, pictures of it, and the command line that repeats them."""
-import pathlib
-import resource
 import time
 import unittest
 
@@ -102,19 +100,6 @@ class Window(WindowCase):
         before = viewer.status()["frame"]
         time.sleep(0.5)  # many times what a frame takes
         return viewer.status()["frame"] == before
-
-    def test_a_size_beyond_the_memory(self):
-        viewer = self.open("courtyard", *QUICK)
-        pages = int(pathlib.Path(f"/proc/{viewer.process.pid}/statm").read_text(encoding="ascii").split()[0])
-        limit = pages * resource.getpagesize() + (64 << 20)
-        resource.prlimit(viewer.process.pid, resource.RLIMIT_AS, (limit, resource.RLIM_INFINITY))
-        viewer.slide("scale", 1.0)
-        viewer.until(lambda status: status["message"], "a message")
-        self.assertEqual(viewer.status()["picture_size"], [256, 160])
-        resource.prlimit(viewer.process.pid, resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
-        self.desktop.resize(viewer.window, 500, 300)
-        viewer.until(lambda status: status["picture_size"] == [1000, 600], "another size")
-        self.close(viewer)
 
 
 if __name__ == "__main__":
