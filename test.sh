@@ -8,7 +8,7 @@ usage() {
   cat <<'USAGE'
 usage: ./test.sh [--all] [--label L] [CTEST OPTION...]
   --all       also the tests labelled 'slow'
-  --label L   only the tests of one label: unit, gpu, conformance, picture, cli, web, fuzz; repeat for several
+  --label L   only the tests of one label: unit, gpu, conformance, picture, cli, web, window, fuzz; repeat for several
 Other arguments go to ctest, e.g. ./test.sh -R unit/check_layers
 USAGE
 }

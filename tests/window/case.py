@@ -1,4 +1,5 @@
 """What the window tests share: a display for the file, a folder for each test, and what is kept of one that failed."""
+import functools
 import os
 import pathlib
 import shlex
@@ -25,7 +26,7 @@ class WindowCase(unittest.TestCase):
 
     def __init__(self, name="runTest"):
         super().__init__(name)
-        setattr(self, name, self._keeping_screen(getattr(self, name)))
+        setattr(self, name, functools.partial(self._keeping_screen, getattr(self, name)))
 
     @classmethod
     def setUpClass(cls):
@@ -44,17 +45,15 @@ class WindowCase(unittest.TestCase):
         self.addCleanup(lambda: self.failed or shutil.rmtree(self.folder))
 
     def _keeping_screen(self, test):
-        def run():
-            try:
-                test()
-            except unittest.SkipTest:
-                raise
-            except BaseException:
-                self.failed = True
-                self.desktop.save_picture(self.folder / "screen.png")
-                print(f"kept: {self.folder}", file=sys.stderr)
-                raise
-        return run
+        try:
+            test()
+        except unittest.SkipTest:
+            raise
+        except BaseException:
+            self.failed = True
+            self.desktop.save_picture(self.folder / "screen.png")
+            print(f"kept: {self.folder}", file=sys.stderr)
+            raise
 
     def start(self, *arguments, **options):
         """A viewer whose window is not waited for."""

@@ -192,13 +192,21 @@ class Viewer:
         """Opens a list and clicks on one of its entries, which need not be in view at once."""
         self.click(name)
         full = f"{name}:{entry}"
-        self.until(lambda status: any(other.startswith(f"{name}:") for other in status["widgets"]), f"the list of '{name}'")
+        self.entries(name)
         entry_area = next(area for other, area in self.widgets().items() if other.startswith(f"{name}:"))
         self.point((entry_area[0] + entry_area[2]) / 2, (entry_area[1] + entry_area[3]) / 2)
         self.scroll_to(full)
         if full not in self.widgets():
             raise AssertionError(f"no entry '{full}'; there are: {', '.join(sorted(self.widgets()))}")
         self.click_at(*self.middle(full))
+
+    def entries(self, name):
+        """Of an open list: those in view."""
+        def listed(status):
+            return [other.removeprefix(f"{name}:") for other in status["widgets"] if other.startswith(f"{name}:")]
+        self.until(listed, f"the list of '{name}'")
+        self.frames()  # a list has its size from its second frame on
+        return listed(self.status())
 
     def slide(self, name, share):
         """Drags a slider to a share of its way."""
