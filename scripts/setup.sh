@@ -62,7 +62,7 @@ fi
 # The run-time of libFuzzer and the sanitizers carries the version of the distribution's clang in its name.
 case ${VERSION_CODENAME:-} in trixie) clang=19 ;; noble) clang=18 ;; *) clang=14 ;; esac
 if ((tools)); then
-  packages+=("clang|fuzz and tidy presets" "clang-tidy|tidy preset" "clang-format|formatting"
+  packages+=("clang|fuzz and tidy presets" "clang-tidy|tidy preset" "clang-format|formatting" "pngquant|small pictures in the documents"
              "libclang-rt-$clang-dev|libFuzzer and sanitizer run-time")
 fi
 

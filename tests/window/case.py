@@ -75,7 +75,8 @@ class WindowCase(unittest.TestCase):
             at = words.index("-o")
             del words[at:at + 2]
         self.assertEqual(words[:2], ["gnomon", "render"])
-        done = subprocess.run([PROGRAM, *words[1:], "-o", str(path)], capture_output=True, text=True, timeout=120, cwd=self.folder, check=False)
+        words[0] = PROGRAM
+        done = subprocess.run([*words, "-o", str(path)], capture_output=True, text=True, timeout=120, cwd=self.folder, check=False)
         self.assertEqual(done.returncode, OK, f"{command}\n{done.stderr}")
         return png.read(path)
 

@@ -51,7 +51,8 @@ class Display:
         try:
             reading, writing = os.pipe()
             # -r: a key that is held does not repeat itself, however slow the frames are.
-            self.server = self._start(["Xvfb", "-displayfd", str(writing), "-screen", "0", screen, "-nolisten", "tcp", "-r"], pass_fds=[writing])
+            server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", screen, "-nolisten", "tcp", "-r"]
+            self._start(server, pass_fds=[writing])
             os.close(writing)
             with os.fdopen(reading) as numbers:
                 if not select.select([numbers], [], [], 30)[0]:

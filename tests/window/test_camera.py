@@ -16,7 +16,8 @@ class Camera(WindowCase):
     def setUp(self):
         super().setUp()
         # A short frame, so that a step is short: the camera must not fly through the ground.
-        self.viewer = self.open("courtyard", "--size", "640x400", "--scale", "0.2", "--technique", "single/hard", "--set", "single.size=256")
+        picture = ["--size", "640x400", "--scale", "0.2"]
+        self.viewer = self.open("courtyard", *picture, "--technique", "single/hard", "--set", "single.size=256")
 
     def walk(self, *keys):
         """(eye, forward) before, and the way that the eye went."""
@@ -31,7 +32,8 @@ class Camera(WindowCase):
         for key, sign in (("w", 1), ("s", -1)):
             forward, way = self.walk(key)
             self.assertGreater(sign * dot(forward, way), 0, key)
-            self.assertAlmostEqual(dot(forward, way) ** 2, dot(forward, forward) * dot(way, way), delta=1e-3 * dot(forward, forward) * dot(way, way))
+            longest = dot(forward, forward) * dot(way, way)
+            self.assertAlmostEqual(dot(forward, way) ** 2, longest, delta=1e-3 * longest)
         for key, sign in (("d", 1), ("a", -1)):
             forward, way = self.walk(key)
             right = [-forward[2], 0, forward[0]]

@@ -28,7 +28,7 @@ class Viewer:
         self.status_path = self.folder / "status.json"
         self.status_path.unlink(missing_ok=True)
         self.command = [PROGRAM, "view", *map(str, arguments)]
-        variables = display.environment() | {"GNOMON_VIEW_STATUS": str(self.status_path), "GNOMON_VALIDATE": "1"} | (environment or {})
+        variables = {"GNOMON_VALIDATE": "1"} | display.environment() | {"GNOMON_VIEW_STATUS": str(self.status_path)} | (environment or {})
         with open(self.folder / "stdout", "wb") as out, open(self.folder / "stderr", "wb") as err:
             self.process = subprocess.Popen(self.command, stdout=out, stderr=err, cwd=runs_in or self.folder, env=variables,
                                             preexec_fn=end_with_parent)
