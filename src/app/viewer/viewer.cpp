@@ -173,7 +173,10 @@ void Viewer::draw() {
   if (std::exchange(wishes_.screenshot, false)) outputs_.want_picture(".png");
   outputs_.take(state_, *session_);
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), command().c_str());
-  if (status_.on()) status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), message_, screen_.swapchain.vsync()});
+  if (status_.on()) {
+    const std::string& shown = !message_.empty() ? message_ : !shaders_.message().empty() ? shaders_.message() : outputs_.message();
+    status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), shown, screen_.swapchain.vsync(), opening_.has_value()});
+  }
 }
 
 void Viewer::handle_keys() {
