@@ -8,16 +8,21 @@
 #include "base/file.h"
 
 namespace gnomon::viewer {
+namespace {
+
+StatusFile* file_in_use = nullptr;  // where note_widget finds it
+
+}  // namespace
 
 StatusFile::StatusFile() {
   const char* path = std::getenv("GNOMON_VIEW_STATUS");
   if (!path || !*path) return;
   path_ = path;
-  ImGui::GetIO().UserData = this;  // where note_widget finds it
+  file_in_use = this;
 }
 
 StatusFile::~StatusFile() {
-  if (on()) ImGui::GetIO().UserData = nullptr;
+  if (file_in_use == this) file_in_use = nullptr;
 }
 
 void StatusFile::write(const ViewStatus& status) {
@@ -38,18 +43,18 @@ void StatusFile::write(const ViewStatus& status) {
 void note_area(std::string_view name, std::string_view part, vec2 min_px, vec2 max_px) {
   std::string key(name);
   if (!part.empty()) key.append(":").append(part);
-  static_cast<StatusFile*>(ImGui::GetIO().UserData)->widgets_[key] = {std::lround(min_px.x), std::lround(min_px.y), std::lround(max_px.x), std::lround(max_px.y)};
+  file_in_use->widgets_[key] = {std::lround(min_px.x), std::lround(min_px.y), std::lround(max_px.x), std::lround(max_px.y)};
 }
 
 void note_widget(std::string_view name, std::string_view part) {
-  if (!ImGui::GetIO().UserData) return;
+  if (!file_in_use) return;
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   const ImVec2 middle = {0.5f * (min.x + max.x), 0.5f * (min.y + max.y)};
   if (ImGui::IsRectVisible(middle, {middle.x + 1.0f, middle.y + 1.0f})) note_area(name, part, {min.x, min.y}, {max.x, max.y});
 }
 
 void note_window(std::string_view name) {
-  if (!ImGui::GetIO().UserData) return;
+  if (!file_in_use) return;
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   note_area(name, {}, {at.x, at.y}, {at.x + size.x, at.y + size.y});
 }

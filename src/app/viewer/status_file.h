@@ -22,7 +22,7 @@ struct ViewStatus {
 
 class StatusFile {
  public:
-  StatusFile();  // needs an ImGui context
+  StatusFile();
   ~StatusFile();
   StatusFile(const StatusFile&) = delete;
   StatusFile& operator=(const StatusFile&) = delete;
