@@ -20,7 +20,7 @@ struct ShaderTree {
   std::string unusable() const;
 };
 
-// The words of a shader by its name (gpu/shader.h). Throws Error with the compiler's message: "shadow/map/filter/pcf/pcf.glsl:12: error: ..."
+// The words of a shader by its name (gpu/shader.h). Throws Error with the compiler's message: "frame/shade.comp:12: error: ..."
 std::vector<uint32_t> compile_shader(const ShaderTree& tree, const std::string& name);
 
 }  // namespace gnomon

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <span>
 #include <utility>
 
 #include "base/error.h"
+#include "gpu/spirv.h"
 #include "lab/shader_sources.h"
 
 namespace gnomon {
@@ -16,6 +18,15 @@ namespace {
 
 // A change counts when the files stayed the same for this long: editors write in several steps, and save by renaming.
 constexpr std::chrono::milliseconds k_interval(100);
+
+// Push constants are a struct of their own in C++ and in the shader: other offsets would read addresses out of other bytes.
+void check_push_constants(const std::string& name, std::span<const uint32_t> words) {
+  const auto now = push_constant_offsets(words), built = push_constant_offsets(built_in_shader(name));
+  if (!now.empty() && !built.empty() && now != built) {
+    fail("{}: its push constants have members at {} bytes, C++ code was built for {}; build the program and start it again", name,
+         fmt::join(now, ", "), fmt::join(built, ", "));
+  }
+}
 
 }  // namespace
 
@@ -120,8 +131,8 @@ void ShaderWatch::look(const std::set<std::string>& names) {
   }
   if (!of_cpp.empty()) {
     failed_ = true;
-    tell({}, fmt::format("{}: C++ code was built with the former text of this; build the program and start it again. Shaders that include it are "
-                         "compiled again once its former text is back",
+    tell({}, fmt::format("{}: C++ code was built with the former text of this; build the program and start it again. Shaders that include it "
+                         "are compiled again once its former text is back",
                          fmt::join(of_cpp, ", ")));
   } else if (!stale.empty()) {
     compile(stale);
@@ -141,7 +152,8 @@ void ShaderWatch::compile(const std::map<std::string, Hashes>& stale) {
     thread = std::thread([&] {
       for (size_t i; (i = next++) < names.size();) {
         try {
-          compiled.find(*names[i])->second = compile_shader(tree_, *names[i]);
+          auto& words = compiled.find(*names[i])->second = compile_shader(tree_, *names[i]);
+          check_push_constants(*names[i], words);
         } catch (const std::exception& error) {
           errors[i] = error.what();
         }

@@ -31,24 +31,28 @@ TEST(ShaderSources, AKernelIsItsTemplateWithTheNamesOfItsTechnique) {
 // As the build wrote them (cmake/gnomon_techniques.cmake).
 TEST(ShaderSources, EveryFileOfAShaderIsThere) {
   ShaderSources sources(k_src);
-  for (const char* name : {"frame/shade.comp", "frame/visibility.rahit", "frame/caster_paraboloid.geom", "resolve/cube/pcss.comp", "history/evsm.comp"}) {
+  for (const char* name : {"frame/shade.comp", "frame/visibility.rahit", "frame/caster_paraboloid.geom", "resolve/cube/pcss.comp",
+                           "history/evsm.comp"}) {
     for (const std::string& file : sources.files_of(name)) EXPECT_NE(sources.hash(file), "") << name << " includes " << file;
   }
 }
 
 TEST(ShaderSources, KnowsWhatCppReadsToo) {
   const auto shared = ShaderSources(k_src).shared_with_cpp();
-  for (const char* file : {"frame/glsl/frame_data.glsl", "shadow/map/glsl/map_data.glsl", "base/glsl/shared.glsl", "shadow/map/filter/pcf/pcf.params",
-                           "shadow/map/bias.params", "gpu/glsl/samplers.glsl"}) {
+  for (const char* file : {"frame/glsl/frame_data.glsl", "shadow/map/glsl/map_data.glsl", "base/glsl/shared.glsl", "gpu/glsl/samplers.glsl",
+                           "shadow/map/filter/pcf/pcf.params", "shadow/map/bias.params"}) {
     EXPECT_TRUE(shared.contains(file)) << file;
   }
-  for (const char* file : {"shadow/map/filter/pcf/pcf.glsl", "frame/shade.comp", "shadow/map/glsl/compare.glsl"}) EXPECT_FALSE(shared.contains(file)) << file;
+  for (const char* file : {"shadow/map/filter/pcf/pcf.glsl", "frame/shade.comp", "shadow/map/glsl/compare.glsl"}) {
+    EXPECT_FALSE(shared.contains(file)) << file;
+  }
 }
 
 TEST(ShaderSources, FollowsIncludesHoweverTheyAreWritten) {
   const std::filesystem::path src = std::filesystem::temp_directory_path() / ("gnomon_shader_sources_test_" + std::to_string(getpid()));
   make_folder(src / "a");
-  write_file(src / "a/main.comp", "#include \"a/one.glsl\"\n  #  include   \"beside.glsl\"\n#include <system>\n// #included\n#include \"a/absent.glsl\"\n");
+  write_file(src / "a/main.comp",
+             "#include \"a/one.glsl\"\n  #  include   \"beside.glsl\"\n#include <system>\n// #included\n#include \"a/absent.glsl\"\n");
   write_file(src / "a/one.glsl", "#include \"a/main.comp\"\n");  // a circle is no endless loop
   write_file(src / "a/beside.glsl", "");
   ShaderSources sources(src);

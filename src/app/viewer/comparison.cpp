@@ -63,10 +63,10 @@ void Comparison::write_report(const ViewState& now, uvec2 size, const std::files
     ViewState state = now;
     state.techniques = rows_[row].techniques;
     // Techniques as collected, all else as it is now: only then can rows be compared.
-    std::vector<std::string> words = state.words("compare", "--techniques", size);
-    for (size_t i = 0; i + 1 < words.size();) {
-      const bool goes = words[i] == "--set" && of_technique(words[i + 1]);
-      goes ? void(words.erase(words.begin() + static_cast<std::ptrdiff_t>(i), words.begin() + static_cast<std::ptrdiff_t>(i) + 2)) : void(++i);
+    std::vector<std::string> words;
+    for (std::string& word : state.words("compare", "--techniques", size)) {
+      const bool replaced = !words.empty() && words.back() == "--set" && of_technique(word);
+      replaced ? words.pop_back() : words.push_back(std::move(word));
     }
     for (const std::string& assignment : rows_[row].assignments) words.insert(words.end(), {"--set", assignment});
     words.insert(words.end(), {"-o", row_folder(row).string()});

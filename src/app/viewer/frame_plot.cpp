@@ -62,7 +62,8 @@ std::optional<size_t> FramePlot::show(const Timings& timings, float height) {
   list.AddRectFilled(from, to, k_background);
   const auto& frames = timings.frames();
   // One slow frame in twenty leaves the plot: it would press the others flat.
-  const Summary whole = timings.summary([&](const FrameResult& f) { return timings.of_passes() ? timings.sum_ms(f) : timings.frame_ms(f); });
+  const bool passes = timings.of_passes();
+  const Summary whole = timings.summary([&](const FrameResult& f) { return passes ? timings.sum_ms(f) : timings.frame_ms(f); });
   const double top_ms = round_up(1.1 * whole.p95);
   const float step = width / static_cast<float>(Timings::k_frames), px_per_ms = height / static_cast<float>(top_ms);
   const auto left_of = [&](size_t i) { return to.x - step * static_cast<float>(frames.size() - i); };

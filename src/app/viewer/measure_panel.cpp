@@ -60,8 +60,8 @@ void MeasurePanel::update_rows(const Timings& timings) {
   for (size_t i = 0; i < last.passes.size() && timings.of_passes(); ++i) {
     const PassResult& pass = last.passes[i];
     const std::string help = fmt::format("{}: {} dispatches", stage_name(pass.stage), pass.dispatches);
-    rows_.push_back({pass.name, help, plot_.colour(pass.name), timings.summary([&](const FrameResult& f) { return timings.pass_ms(f, i); }), pass.draws,
-                     pass.triangles});
+    const Summary ms = timings.summary([&](const FrameResult& f) { return timings.pass_ms(f, i); });
+    rows_.push_back({pass.name, help, plot_.colour(pass.name), ms, pass.draws, pass.triangles});
   }
   const auto add = [&](const char* name, const char* help, auto value) { rows_.push_back({name, help, 0, timings.summary(value), 0, 0}); };
   if (timings.of_passes()) {

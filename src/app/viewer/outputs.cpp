@@ -47,7 +47,8 @@ void Outputs::show_clip() {
   clip_seconds_ = std::max(clip_seconds_, 0.0f);
   ImGui::InputText("folder##clip", clip_name_, sizeof clip_name_);
   if (clip_.count() == 0) return;
-  ImGui::TextDisabled("%s: %u pictures, %.1f s; %zu to be written", clip_.folder().c_str(), clip_.count(), clip_.seconds(), background_.waiting());
+  const size_t waiting = background_.waiting();
+  ImGui::TextDisabled("%s: %u pictures, %.1f s; %zu to be written", clip_.folder().c_str(), clip_.count(), clip_.seconds(), waiting);
 }
 
 void Outputs::show_comparison(const ViewState& next, const Session& session) {

@@ -7,9 +7,8 @@ namespace gnomon::viewer {
 void Timings::add(const FrameResult& frame) {
   if (paused) return;
   const auto same = [](const PassResult& a, const PassResult& b) { return a.name == b.name; };
-  if (!frames_.empty() && !std::equal(frame.passes.begin(), frame.passes.end(), frames_.back().passes.begin(), frames_.back().passes.end(), same)) {
-    clear();
-  }
+  const auto& passes = frame.passes;
+  if (!frames_.empty() && !std::ranges::equal(passes, frames_.back().passes, same)) clear();
   frames_.push_back(frame);
   if (frames_.size() > k_frames) frames_.pop_front();
 }
