@@ -1,6 +1,7 @@
 #include "app/viewer/timings.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gnomon::viewer {
 
@@ -8,7 +9,7 @@ void Timings::add(const FrameResult& frame) {
   if (paused) return;
   const auto same = [](const PassResult& a, const PassResult& b) { return a.name == b.name; };
   const auto& passes = frame.passes;
-  if (!frames_.empty() && !std::ranges::equal(passes, frames_.back().passes, same)) clear();
+  if (std::exchange(stale_, false) || (!frames_.empty() && !std::ranges::equal(passes, frames_.back().passes, same))) clear();
   frames_.push_back(frame);
   if (frames_.size() > k_frames) frames_.pop_front();
 }

@@ -16,8 +16,9 @@ class Timings {
   explicit Timings(bool software) : software_(software) {}
 
   void add(const FrameResult& frame);
-  void clear() { frames_.clear(); }  // other passes, or other clocks
-  bool paused = false;               // what is added is dropped
+  // Other passes, or another way to time them. While it is paused the old frames stay until it goes on.
+  void clear() { paused ? void(stale_ = true) : frames_.clear(); }
+  bool paused = false;  // what is added is dropped
 
   const std::deque<FrameResult>& frames() const { return frames_; }
   bool of_software() const { return software_; }
@@ -41,7 +42,7 @@ class Timings {
  private:
   bool alone() const { return frames_.back().submission_ms > 0.0; }
 
-  bool software_;
+  bool software_, stale_ = false;
   std::deque<FrameResult> frames_;
 };
 
