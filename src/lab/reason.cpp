@@ -81,9 +81,11 @@ Reason light_bleeding(const Context& c) {
 
 Reason false_light(const Context& c) {
   if (c.facts.unsettled > k_settled) return history(c);
-  const float lit_share = 1.0f - static_cast<float>(c.near.occluding) / static_cast<float>(std::max(c.near.texels, 1));
-  if (!c.facts.compares_depth && c.near.occluding > 0 && c.facts.record.answer > lit_share + k_tolerance) return light_bleeding(c);
-  if (c.near.hidden_by_bias > 0 && c.near.bias_m > 0.0f && c.near.hidden_gap_m <= 1.5f * c.near.bias_m) {
+  const int lit = c.near.texels - c.near.occluding;
+  const float lit_share = static_cast<float>(lit) / static_cast<float>(std::max(c.near.texels, 1));
+  if (!c.facts.compares_depth && c.near.occluding > 0 && c.facts.record.answer > 1.25f * lit_share + 0.5f * k_tolerance) return light_bleeding(c);
+  // Most of what lets light through would not without the bias.
+  if (c.near.hidden_by_bias > 0 && 2 * c.near.hidden_by_bias >= lit && c.near.hidden_gap_m <= 1.5f * c.near.bias_m) {
     return {Cause::peter_panning, fmt::format("peter-panning: the bias moves the receiver by {}, more than the gap of {} to its caster",
                                               texels(c.near.bias_m, c.layer.texel_m), length_text(c.near.hidden_gap_m))};
   }

@@ -133,6 +133,19 @@ TEST(Reason, PeterPanning) {
   expect(facts, Cause::peter_panning, {"false light of 1.00", "peter-panning", "3 texels (30.0 cm)", "gap of 20.0 cm"});
 }
 
+TEST(Reason, AFewTexelsThatTheBiasHidesAreNotTheCause) {
+  PickFacts facts = lit_receiver();
+  facts.record.radius = 3.5f;
+  facts.record.answer = 0.5f;
+  facts.hard = facts.area = 0.0f;
+  set_bias(facts, 0.02f);
+  for (int dx = -7; dx <= -1; ++dx) {
+    for (int dy = -7; dy <= 7; ++dy) depth_at(facts, dx, dy) = 0.2f;
+  }
+  depth_at(facts, 1, 1) = 0.5f - 0.01f / k_range_m;
+  expect(facts, Cause::filter_width, {"21 of 49 texels"});
+}
+
 TEST(Reason, LightBleedingOfFiltersThatBlur) {
   PickFacts facts = lit_receiver();
   facts.compares_depth = false;
