@@ -7,7 +7,8 @@
 namespace gnomon {
 namespace {
 
-// A stored depth that lies this near to the receiver's plane is the receiver's own, in texels: what is nearer no map can tell apart.
+// A stored depth that lies this near to the receiver's plane is the receiver's own, in texels: what is nearer no map can tell
+// apart.
 constexpr float k_own_texels = 0.5f;
 // A caster must stand out of the receiver by so much to be one.
 constexpr float k_least_gap_texels = 0.02f;

@@ -11,7 +11,8 @@
 namespace gnomon {
 namespace {
 
-constexpr std::array<std::string_view, k_overlay_count> k_overlay_names = {"none", "layers", "texels", "footprint", "flags", "overdraw"};
+constexpr std::array<std::string_view, k_overlay_count> k_overlay_names = {"none",      "layers", "texels",
+                                                                           "footprint", "flags",  "overdraw"};
 
 bool stores_integers(VkFormat format) { return format == VK_FORMAT_R32G32_UINT || format == VK_FORMAT_R32_UINT; }
 
@@ -19,7 +20,9 @@ bool stores_integers(VkFormat format) { return format == VK_FORMAT_R32G32_UINT |
 
 std::string_view overlay_name(uint32_t overlay) { return k_overlay_names[overlay]; }
 
-bool overlay_needs_map(uint32_t overlay) { return overlay == k_overlay_layers || overlay == k_overlay_texels || overlay == k_overlay_footprint; }
+bool overlay_needs_map(uint32_t overlay) {
+  return overlay == k_overlay_layers || overlay == k_overlay_texels || overlay == k_overlay_footprint;
+}
 
 Explainer::Explainer(Device& device)
     : device_(device),
@@ -33,7 +36,8 @@ const Pipeline& Explainer::pipeline(const std::string& shader, uint32_t samples)
   return made;
 }
 
-void Explainer::record_overlay(Recorder& recorder, const Frame& frame, size_t light, const Technique& technique, uint32_t overlay, float opacity) {
+void Explainer::record_overlay(Recorder& recorder, const Frame& frame, size_t light, const Technique& technique,
+                               uint32_t overlay, float opacity) {
   GNOMON_ASSERT(overlay > k_overlay_none && overlay < k_overlay_count);
   // Overdraw is the frame's own.
   const auto map = overlay == k_overlay_overdraw ? std::nullopt : technique.shadow_map();
@@ -58,8 +62,8 @@ void Explainer::record_pick(Recorder& recorder, const Frame& frame, size_t light
   record(recorder, "explain/pick", frame, light, technique.shadow_map(), arguments, record_);
 }
 
-void Explainer::record(Recorder& recorder, const char* pass, const Frame& frame, size_t light, const std::optional<ShadowMapView>& map,
-                       ExplainArguments arguments, const Buffer& output) {
+void Explainer::record(Recorder& recorder, const char* pass, const Frame& frame, size_t light,
+                       const std::optional<ShadowMapView>& map, ExplainArguments arguments, const Buffer& output) {
   arguments.frame = frame.data_address();
   arguments.light = static_cast<uint32_t>(light);
   arguments.mask = frame.mask_address(light);
@@ -68,9 +72,7 @@ void Explainer::record(Recorder& recorder, const char* pass, const Frame& frame,
   uses.emplace_back(output, Use::compute_write);
   if (arguments.overlay == k_overlay_overdraw) uses.emplace_back(overdraw_->image(), Use::compute_read);
   if (map) {
-    const struct {
-      uint64_t filter, radius;
-    } of_radius = {map->params->address() + map->filter_offset, radius_.address()};
+    const struct { uint64_t filter, radius; } of_radius = {map->params->address() + map->filter_offset, radius_.address()};
     recorder.pass("explain/radius", PassStage::other, {{radius_, Use::compute_write}}, [&](Commands& commands) {
       commands.bind(pipeline("radius/" + map->filter + ".comp", 1));
       commands.push(of_radius);
@@ -84,7 +86,8 @@ void Explainer::record(Recorder& recorder, const char* pass, const Frame& frame,
     arguments.filtered_image = map->filtered->sampled();
     arguments.object_image = map->object_ids ? map->object_ids->sampled() : 0;
     arguments.flags = (map->depth->info().samples > 1 ? k_explain_multisampled : 0) |
-                      (stores_integers(map->filtered->info().format) ? k_explain_integers : 0) | (map->object_ids ? k_explain_objects : 0);
+                      (stores_integers(map->filtered->info().format) ? k_explain_integers : 0) |
+                      (map->object_ids ? k_explain_objects : 0);
     uses.emplace_back(*map->depth, Use::compute_read);
     if (map->filtered != map->depth) uses.emplace_back(*map->filtered, Use::compute_read);
     if (map->object_ids) uses.emplace_back(*map->object_ids, Use::compute_read);

@@ -1,5 +1,5 @@
-// Shows what a technique did: overlays over the picture, and everything about one pixel. Techniques know nothing of it: it asks the same
-// GLSL that they do (shadow/map/glsl/explain_main.glsl).
+// Shows what a technique did: overlays over the picture, and everything about one pixel. Techniques know nothing of it: it asks
+// the same GLSL that they do (shadow/map/glsl/explain_main.glsl).
 #pragma once
 
 #include <map>
@@ -21,9 +21,12 @@ class Explainer {
  public:
   explicit Explainer(Device& device);
 
-  // Blends an overlay into the frame's display: behind Frame::record_shade. `technique` is that of the light, recorded in this frame.
-  void record_overlay(Recorder& recorder, const Frame& frame, size_t light, const Technique& technique, uint32_t overlay, float opacity);
-  // Asks about a pixel of the frame, and for the map's views; behind the technique's passes. The answers are there once the recorder has finished.
+  // Blends an overlay into the frame's display: behind Frame::record_shade. `technique` is that of the light, recorded in this
+  // frame.
+  void record_overlay(Recorder& recorder, const Frame& frame, size_t light, const Technique& technique, uint32_t overlay,
+                      float opacity);
+  // Asks about a pixel of the frame, and for the map's views; behind the technique's passes. The answers are there once the
+  // recorder has finished.
   void record_pick(Recorder& recorder, const Frame& frame, size_t light, const Technique& technique, uvec2 pixel);
   void record_views(Recorder& recorder, const Technique& technique);
 

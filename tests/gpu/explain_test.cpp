@@ -19,7 +19,8 @@ using test::View;
 constexpr uvec2 k_size = {64, 48};
 
 Light lamp_or_sun(const ProjectionInfo& projection) {
-  const bool sun = std::find(projection.light_kinds.begin(), projection.light_kinds.end(), LightKind::directional) != projection.light_kinds.end();
+  const bool sun = std::find(projection.light_kinds.begin(), projection.light_kinds.end(), LightKind::directional) !=
+                   projection.light_kinds.end();
   if (sun) return test::make_sun({0.5f, -1.0f, 0.4f}, 0.01f);
   Light lamp;
   lamp.name = "lamp";
@@ -32,8 +33,8 @@ Light lamp_or_sun(const ProjectionInfo& projection) {
 
 // A floor with a box, one that casts nothing, and a slab near the floor; and sky above.
 Scene boxes(const Light& light) {
-  Scene scene = test::scene_with({test::floor_part(20.0f), test::box_part({-1, 0, -1}, {0, 2, 0}), test::box_part({1, 0.5f, -3}, {2, 1.5f, -2}),
-                                  test::box_part({-3, 0.3f, 0}, {-1, 0.35f, 2})});
+  Scene scene = test::scene_with({test::floor_part(20.0f), test::box_part({-1, 0, -1}, {0, 2, 0}),
+                                  test::box_part({1, 0.5f, -3}, {2, 1.5f, -2}), test::box_part({-3, 0.3f, 0}, {-1, 0.35f, 2})});
   scene.objects[2].casts = false;
   scene.cameras.push_back(look_at("any", {0, 3, 7}, {0, 1.5f, 0}, 60.0));
   scene.lights.push_back(light);
@@ -42,7 +43,8 @@ Scene boxes(const Light& light) {
 
 // A technique whose mask and map are those of a drawn frame.
 struct Drawn {
-  Drawn(View& view, const std::string& name, std::initializer_list<std::string_view> assignments = {}) : frame(view.frame()), explainer(device()) {
+  Drawn(View& view, const std::string& name, std::initializer_list<std::string_view> assignments = {})
+      : frame(view.frame()), explainer(device()) {
     const TechniqueSpec& spec = find_technique(name);
     technique = spec.make(view.context(), test::settings_of(spec, assignments));
     test::run_passes([&](Recorder& recorder) {
@@ -267,7 +269,8 @@ TEST(Explain, ReasonsFitTheSettingsThatCauseThem) {
 
 // Two casters above one receiver: near the edge of the higher one the depths differ most.
 TEST(Explain, LightBleedingIsCalledSo) {
-  Scene scene = test::scene_with({test::floor_part(10.0f), test::box_part({-3, 1, -3}, {3, 1.2f, 3}), test::box_part({-0.5f, 8, -3}, {0.5f, 8.2f, 3})});
+  Scene scene = test::scene_with(
+      {test::floor_part(10.0f), test::box_part({-3, 1, -3}, {3, 1.2f, 3}), test::box_part({-0.5f, 8, -3}, {0.5f, 8.2f, 3})});
   scene.cameras.push_back(look_at("below", {0, 0.8f, 6}, {0, 0, 0}, 50.0));
   scene.lights.push_back(test::make_sun({0, -1, 0.01f}, 0.001f));
   View view(std::move(scene), k_size);

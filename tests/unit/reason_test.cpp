@@ -152,7 +152,8 @@ TEST(Reason, LightBleedingOfFiltersThatBlur) {
   facts.record.answer = 0.4f;
   facts.hard = facts.area = 0.0f;
   for (int i = 0; i < 225; ++i) facts.record.layers[0].depths[i] = i % 2 ? 0.1f : 0.4f;
-  expect(facts, Cause::light_bleeding, {"false light of 0.40", "light bleeding", "40.00 m nearer", "standard deviation", "0.40"});
+  expect(facts, Cause::light_bleeding,
+         {"false light of 0.40", "light bleeding", "40.00 m nearer", "standard deviation", "0.40"});
 }
 
 TEST(Reason, ResolutionWhereTheTexelSeesACasterAndThePointDoesNot) {

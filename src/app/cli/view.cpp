@@ -77,7 +77,8 @@ void add_view(CLI::App& app, const Globals& globals) {
   command->add_option("--frames", arguments->frames, "ends after so many frames (default: when the window is closed)")->check(CLI::Range(1u, 1000000u));
   command->add_option("--split", arguments->split, "a second side beside the picture: a technique, or 'reference'");
   command->add_flag("--error", arguments->error, "error against the reference over the picture");
-  command->add_option("--overlay", arguments->overlay, "what is shown over the picture: layers, texels, footprint, flags or overdraw; and lines, of the light's views");
+  command->add_option("--overlay", arguments->overlay,
+                      "what is shown over the picture: layers, texels, footprint, flags or overdraw; and lines, of the light's views");
   command->add_option("--pick", arguments->pick, "explains a pixel of the picture: x,y");
   command->add_option("--map", arguments->map, "shows a layer of the shadow map: its number");
   command->add_option("--screenshot", arguments->screenshot, "writes the last frame, interface included: .png");

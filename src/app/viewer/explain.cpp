@@ -17,12 +17,18 @@ constexpr float k_panel_width = 330.0f;
 
 const char* overlay_title(uint32_t overlay) {
   switch (overlay) {
-    case k_overlay_layers: return "layers (cascades, faces)";
-    case k_overlay_texels: return "texel grid";
-    case k_overlay_footprint: return "pixels per texel";
-    case k_overlay_flags: return "casters and receivers";
-    case k_overlay_overdraw: return "overdraw";
-    default: return "no overlay";
+    case k_overlay_layers:
+      return "layers (cascades, faces)";
+    case k_overlay_texels:
+      return "texel grid";
+    case k_overlay_footprint:
+      return "pixels per texel";
+    case k_overlay_flags:
+      return "casters and receivers";
+    case k_overlay_overdraw:
+      return "overdraw";
+    default:
+      return "no overlay";
   }
 }
 
@@ -41,9 +47,15 @@ vec2 screen_size() { return {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().Displa
 }  // namespace
 
 Explain::Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options)
-    : explainer_(device), map_pane_(device, render_pass), options_(options), map_open_(options.map_layer), map_layer_(options.map_layer.value_or(0)) {}
+    : explainer_(device),
+      map_pane_(device, render_pass),
+      options_(options),
+      map_open_(options.map_layer),
+      map_layer_(options.map_layer.value_or(0)) {}
 
-uvec2 Explain::pixel(const Session& session) const { return glm::min(uvec2(*place_ * vec2(session.options().size)), session.options().size - 1u); }
+uvec2 Explain::pixel(const Session& session) const {
+  return glm::min(uvec2(*place_ * vec2(session.options().size)), session.options().size - 1u);
+}
 
 void Explain::show(const Window& window, Session& session, const TechniqueSet& techniques) {
   light_ = std::min(light_, session.frame().lights().size() - 1);
@@ -85,7 +97,8 @@ void Explain::handle_pick(Session& session) {
 void Explain::panel(Session& session, const TechniqueSet& techniques) {
   ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - 8.0f, 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
   ImGui::SetNextWindowSize({k_panel_width, 0.0f}, ImGuiCond_Always);
-  ImGui::SetNextWindowCollapsed(!map_open_ && !place_ && !options_.pick && !options_.lines && options_.overlay == k_overlay_none, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowCollapsed(
+      !map_open_ && !place_ && !options_.pick && !options_.lines && options_.overlay == k_overlay_none, ImGuiCond_FirstUseEver);
   if (ImGui::Begin("Explain", nullptr, ImGuiWindowFlags_NoResize)) {
     const auto lights = session.frame().lights();
     const auto light_label = [&](size_t i) { return fmt::format("{}##{}", lights[i].name, i); };
@@ -105,7 +118,7 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
     if (options_.overlay != k_overlay_none) {
       ImGui::SliderFloat("opacity", &opacity_, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
       if (overlay_needs_map(options_.overlay) && !has_map) {
-        ImGui::TextDisabled("this technique has no map");
+        remark("this technique has no map");
       } else {
         show_legend(options_.overlay, views_);
       }
@@ -119,7 +132,7 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
     ImGui::Checkbox("map (M)", &map_open_);
     ImGui::SameLine();
     ImGui::Checkbox("pick (P)", &pick_mode_);
-    ImGui::TextDisabled("a pixel is picked by Alt + click, too, and the\nmiddle button");
+    remark("a pixel is picked by Alt + click, too, and by the middle button");
   }
   ImGui::End();
 }
@@ -138,7 +151,8 @@ void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& t
   light_ = std::min(light_, session.frame().lights().size() - 1);
   const Frame& frame = session.frame();
   const Technique& technique = *techniques.techniques()[light_];
-  if (options_.overlay != k_overlay_none) explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, opacity_);
+  if (options_.overlay != k_overlay_none)
+    explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, opacity_);
   if (place_) explainer_.record_pick(recorder, frame, light_, technique, pixel(session));
   if (options_.lines || overlay_needs_map(options_.overlay)) explainer_.record_views(recorder, technique);
   map_pane_.record(recorder, technique.shadow_map(), map_layer_);
@@ -157,11 +171,13 @@ void Explain::collect(Session& session, const TechniqueSet& techniques) {
     picked.facts.compares_depth = map->filtered == map->depth;
     picked.facts.stores_objects = map->object_ids != nullptr;
     picked.facts.unsettled = map->unsettled;
-    picked.facts.front_face_culling = session.settings_of(techniques.spec(light_), light_).at("bias").number("front_face_culling") != 0.0;
+    picked.facts.front_face_culling =
+        session.settings_of(techniques.spec(light_), light_).at("bias").number("front_face_culling") != 0.0;
   }
   if (record.seen != 0) {
     picked.object = session.scene().objects[record.object].name;
-    const SurfacePoint point = {record.position_ws, record.object, record.normal_ws, picked.pixel.y * session.options().size.x + picked.pixel.x};
+    const SurfacePoint point = {record.position_ws, record.object, record.normal_ws,
+                                picked.pixel.y * session.options().size.x + picked.pixel.x};
     if (const auto answer = reference_->answer(point, session.frame().camera().eye_ws, session.frame().lights()[light_])) {
       picked.facts.hard = answer->hard;
       picked.facts.area = answer->area;

@@ -15,12 +15,13 @@ namespace gnomon::viewer {
 
 struct ExplainOptions {
   uint32_t overlay = k_overlay_none;
-  bool lines = false;                  // of the light's views
-  std::optional<uvec2> pick;           // pixel of the picture
-  std::optional<uint32_t> map_layer;   // opens the map
+  bool lines = false;                 // of the light's views
+  std::optional<uvec2> pick;          // pixel of the picture
+  std::optional<uint32_t> map_layer;  // opens the map
 };
 
-// Reads --overlay ("layers", "layers,lines"), --pick ("120,80") and --map ("0"); empty: not given. Throws Error (usage), naming what is valid.
+// Reads --overlay ("layers", "layers,lines"), --pick ("120,80") and --map ("0"); empty: not given. Throws Error (usage), naming
+// what is valid.
 ExplainOptions parse_explain_options(const std::string& overlay, const std::string& pick, const std::string& map);
 
 class Explain {
@@ -54,15 +55,15 @@ class Explain {
 
   Explainer explainer_;
   MapPane map_pane_;
-  ExplainOptions options_;               // overlay and lines as they are now
+  ExplainOptions options_;  // overlay and lines as they are now
   float opacity_ = 0.6f;
   size_t light_ = 0;
   bool pick_mode_ = false, map_open_;
   uint32_t map_layer_;
-  std::optional<vec2> place_;            // picked, as a share of the picture: it stays where it is when the picture's size changes
+  std::optional<vec2> place_;  // picked, as a share of the picture: it stays where it is when the picture's size changes
   std::optional<Picked> picked_;
-  std::vector<ShadowView> views_;        // of the last frame
-  std::optional<Held> held_;             // lines that stay while the camera leaves
+  std::vector<ShadowView> views_;  // of the last frame
+  std::optional<Held> held_;       // lines that stay while the camera leaves
   std::unique_ptr<PointReference> reference_;
 };
 

@@ -24,7 +24,8 @@ void add_overlay(std::string_view name, ExplainOptions& options) {
     valid += fmt::format(", {}", overlay_name(overlay));
     if (name != overlay_name(overlay)) continue;
     if (options.overlay != k_overlay_none) {
-      fail_usage("--overlay: '{}' and '{}' cannot both be shown; valid: one of them, and lines", overlay_name(options.overlay), name);
+      fail_usage("--overlay: '{}' and '{}' cannot both be shown; valid: one of them, and lines", overlay_name(options.overlay),
+                 name);
     }
     options.overlay = overlay;
     return;

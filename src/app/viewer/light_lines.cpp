@@ -58,7 +58,9 @@ vec3 from_clip(const ShadowView& view, const vec3& ndc) {
 // A half of all directions: its rim, and two arcs over it.
 void draw_paraboloid(const Lines& lines, const ShadowView& view, float radius_m, ImU32 colour) {
   const mat3 light_from_world(view.raster.clip_from_world);
-  const auto place = [&](const vec3& direction) { return view.origin_ws + glm::transpose(light_from_world) * direction * radius_m; };
+  const auto place = [&](const vec3& direction) {
+    return view.origin_ws + glm::transpose(light_from_world) * direction * radius_m;
+  };
   for (int i = 0; i < k_circle; ++i) {
     const auto angle = [](int step) { return 2.0f * k_pi * static_cast<float>(step) / k_circle; };
     const float a = angle(i), b = angle(i + 1);
@@ -71,8 +73,8 @@ void draw_paraboloid(const Lines& lines, const ShadowView& view, float radius_m,
 
 }  // namespace
 
-void draw_light_lines(ImDrawList& list, const CameraData& camera, vec2 size, std::span<const ShadowView> views, const CameraData* split_camera,
-                      float scene_radius_m) {
+void draw_light_lines(ImDrawList& list, const CameraData& camera, vec2 size, std::span<const ShadowView> views,
+                      const CameraData* split_camera, float scene_radius_m) {
   const Lines lines(list, camera, size);
   for (size_t i = 0; i < views.size(); ++i) {
     const ShadowView& view = views[i];
@@ -89,7 +91,8 @@ void draw_light_lines(ImDrawList& list, const CameraData& camera, vec2 size, std
     lines.box(corners, colour, 1.5f);
     // Layers that are no slices of the view end at no distance.
     if (!split_camera || view.interval_m.y > 1e30f) continue;
-    lines.box(slice_corners(*split_camera, view.interval_m.x, view.interval_m.y), to_colour(0.6f * layer_colour(static_cast<uint32_t>(i)) + 0.4f), 1.0f);
+    lines.box(slice_corners(*split_camera, view.interval_m.x, view.interval_m.y),
+              to_colour(0.6f * layer_colour(static_cast<uint32_t>(i)) + 0.4f), 1.0f);
   }
 }
 

@@ -1,5 +1,5 @@
-// The picture is drawn by a callback of Dear ImGui's with a pipeline of its own: 1.86 knows one texture, its font's. So the map is read
-// where it lies, and what overlaps overlaps as windows do.
+// The picture is drawn by a callback of Dear ImGui's with a pipeline of its own: 1.86 knows one texture, its font's. So the map
+// is read where it lies, and what overlaps overlaps as windows do.
 #include "app/viewer/map_pane.h"
 
 #include <fmt/format.h>
@@ -20,10 +20,14 @@ constexpr uint32_t k_probe_block = 32;  // texels along a side of a work group
 
 uint32_t kind_of(const Image& image) {
   switch (image.info().format) {
-    case VK_FORMAT_D32_SFLOAT: return image.info().samples > 1 ? k_map_depth_samples : k_map_depth;
-    case VK_FORMAT_R32_UINT: return k_map_objects;
-    case VK_FORMAT_R32G32_UINT: return k_map_table;
-    default: return k_map_values;
+    case VK_FORMAT_D32_SFLOAT:
+      return image.info().samples > 1 ? k_map_depth_samples : k_map_depth;
+    case VK_FORMAT_R32_UINT:
+      return k_map_objects;
+    case VK_FORMAT_R32G32_UINT:
+      return k_map_table;
+    default:
+      return k_map_values;
   }
 }
 
@@ -76,7 +80,8 @@ void MapPane::choose(const ShadowMapView& map, uint32_t& layer) {
   layer = std::min(layer, map.layers - 1);
   int number = static_cast<int>(layer);
   ImGui::SetNextItemWidth(0.3f * ImGui::GetContentRegionAvail().x);
-  if (ImGui::SliderInt("layer", &number, 0, static_cast<int>(map.layers) - 1, "%d", ImGuiSliderFlags_AlwaysClamp)) layer = static_cast<uint32_t>(number);
+  if (ImGui::SliderInt("layer", &number, 0, static_cast<int>(map.layers) - 1, "%d", ImGuiSliderFlags_AlwaysClamp))
+    layer = static_cast<uint32_t>(number);
   ImGui::SameLine();
   if (ImGui::SmallButton("whole")) zoom_ = 0.0f;
   const auto content = [&](const char* name, Content which) {
@@ -172,17 +177,19 @@ void MapPane::record(Recorder& recorder, const std::optional<ShadowMapView>& map
   arguments_.channels = kind == k_map_objects ? 0 : channels_;
   arguments_.least = least_, arguments_.most = most_;
   uses_.emplace_back(image, Use::sampled);
-  const MapProbeArguments probe = {result_.address(), image.sampled(), kind, shown_layer, size, std::min(texel_.x, size - 1), std::min(texel_.y, size - 1)};
-  recorder.pass("window/map probe", PassStage::other, {{image, Use::compute_read}, {result_, Use::compute_write}}, [&](Commands& commands) {
-    commands.bind(probe_begins_);
-    commands.push(probe);
-    commands.dispatch({1, 1}, {8, 8});
-    if (!automatic_) return;
-    commands.compute_barrier();
-    commands.bind(probe_);
-    commands.push(probe);
-    commands.dispatch(uvec2(size), uvec2(k_probe_block));
-  });
+  const MapProbeArguments probe = {
+      result_.address(), image.sampled(), kind, shown_layer, size, std::min(texel_.x, size - 1), std::min(texel_.y, size - 1)};
+  recorder.pass("window/map probe", PassStage::other, {{image, Use::compute_read}, {result_, Use::compute_write}},
+                [&](Commands& commands) {
+                  commands.bind(probe_begins_);
+                  commands.push(probe);
+                  commands.dispatch({1, 1}, {8, 8});
+                  if (!automatic_) return;
+                  commands.compute_barrier();
+                  commands.bind(probe_);
+                  commands.push(probe);
+                  commands.dispatch(uvec2(size), uvec2(k_probe_block));
+                });
 }
 
 // Inside the interface's render pass, whose command buffer Interface::draw left in Dear ImGui's user data.
@@ -191,7 +198,8 @@ void MapPane::draw(const ImDrawList*, const ImDrawCmd* command) {
   if (pane.uses_.empty()) return;
   const ImGuiIO& io = ImGui::GetIO();
   const auto commands = static_cast<VkCommandBuffer>(io.UserData);
-  const vec2 scale(io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y), target = vec2(io.DisplaySize.x, io.DisplaySize.y) * scale;
+  const vec2 scale(io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y),
+      target = vec2(io.DisplaySize.x, io.DisplaySize.y) * scale;
   const vec2 low = glm::max(vec2(command->ClipRect.x, command->ClipRect.y) * scale, vec2(0.0f));
   const vec2 high = glm::min(vec2(command->ClipRect.z, command->ClipRect.w) * scale, target);
   if (high.x <= low.x || high.y <= low.y) return;

@@ -42,12 +42,12 @@ class MapPane {
   uint32_t channels_ = 0;
   bool automatic_ = true;
   float least_ = 0.0f, most_ = 1.0f;
-  float zoom_ = 0.0f;                 // pixels a texel; 0: the whole layer
-  vec2 middle_ = vec2(0.5f);          // of the pane, as a share of the map
-  uvec2 texel_ = uvec2(0);            // under the pointer
-  bool shown_ = false;                // in the interface of this frame
+  float zoom_ = 0.0f;         // pixels a texel; 0: the whole layer
+  vec2 middle_ = vec2(0.5f);  // of the pane, as a share of the map
+  uvec2 texel_ = uvec2(0);    // under the pointer
+  bool shown_ = false;        // in the interface of this frame
   bool probed_ = false;
-  MapPaneArguments arguments_ = {};   // of what this frame draws
+  MapPaneArguments arguments_ = {};  // of what this frame draws
   std::vector<ResourceUse> uses_;
 };
 

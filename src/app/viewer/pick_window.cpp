@@ -22,7 +22,9 @@ void row(const char* name, const std::string& value) {
 std::string vector_text(const vec3& v) { return fmt::format("{:.3f}, {:.3f}, {:.3f}", v.x, v.y, v.z); }
 
 // Metres in texels, and as a length.
-std::string in_texels(float metres, const PickedLayer& layer) { return fmt::format("{:.3g} texels, {}", metres / layer.texel_m, length_text(metres)); }
+std::string in_texels(float metres, const PickedLayer& layer) {
+  return fmt::format("{:.3g} texels, {}", metres / layer.texel_m, length_text(metres));
+}
 
 float stored_at_point(const PickedLayer& layer) { return layer.depths[k_pick_texels / 2]; }
 
@@ -58,11 +60,14 @@ void kernel_picture(const PickedLayer& layer, float radius) {
   }
   const vec2 point = (layer.uv * layer.size - vec2(layer.texel_x, layer.texel_y) + static_cast<float>(middle)) * cell;
   const float reach = std::min(radius, static_cast<float>(middle)) * cell;
-  list.AddRect({at.x + point.x - reach, at.y + point.y - reach}, {at.x + point.x + reach, at.y + point.y + reach}, IM_COL32(255, 255, 255, 255));
+  list.AddRect({at.x + point.x - reach, at.y + point.y - reach}, {at.x + point.x + reach, at.y + point.y + reach},
+               IM_COL32(255, 255, 255, 255));
   list.AddCircleFilled({at.x + point.x, at.y + point.y}, 2.5f, IM_COL32(255, 255, 255, 255));
   ImGui::Dummy({static_cast<float>(side) * cell, static_cast<float>(side) * cell});
   if (!ImGui::IsItemHovered()) return;
-  ImGui::SetTooltip("texels around the point; square: the filter's reach\ngreen: lit; brown: behind a caster;\norange: behind the receiver's own surface; yellow: hidden by the bias");
+  ImGui::SetTooltip(
+      "texels around the point; square: the filter's reach\ngreen: lit; brown: behind a caster;\norange: behind the receiver's "
+      "own surface; yellow: hidden by the bias");
 }
 
 void show_layer(const PickFacts& facts, const PickedLayer& layer) {
@@ -75,12 +80,14 @@ void show_layer(const PickFacts& facts, const PickedLayer& layer) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 11.0f * ImGui::GetFontSize());
     ImGui::TableSetupColumn("value");
     row("map coordinates", fmt::format("{:.5f}, {:.5f}", layer.uv.x, layer.uv.y));
-    row("texel", fmt::format("{}, {} of {:.0f}; {} wide, {:.2g} pixels", layer.texel_x, layer.texel_y, layer.size, length_text(layer.texel_m),
-                             layer.pixels_per_texel));
-    row("receiver's depth", fmt::format("{:.6f}, {}", layer.depth, length_text(layer.depth_near_m + layer.linear * layer.depth_range_m)));
+    row("texel", fmt::format("{}, {} of {:.0f}; {} wide, {:.2g} pixels", layer.texel_x, layer.texel_y, layer.size,
+                             length_text(layer.texel_m), layer.pixels_per_texel));
+    row("receiver's depth",
+        fmt::format("{:.6f}, {}", layer.depth, length_text(layer.depth_near_m + layer.linear * layer.depth_range_m)));
     row("stored depth", stored_text(facts, layer));
     if (!facts.compares_depth) {
-      row("filter stores", fmt::format("{:.5g}, {:.5g}, {:.5g}, {:.5g}", layer.stored.x, layer.stored.y, layer.stored.z, layer.stored.w));
+      row("filter stores",
+          fmt::format("{:.5g}, {:.5g}, {:.5g}, {:.5g}", layer.stored.x, layer.stored.y, layer.stored.z, layer.stored.w));
     }
     row("bias", in_texels(layer.bias_linear * layer.depth_range_m, layer));
     const vec2 rise_m = glm::abs(layer.plane_linear_gradient) * (layer.depth_range_m / layer.size);
@@ -115,12 +122,15 @@ void show_pick_window(const Picked& picked, bool& open) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 11.0f * ImGui::GetFontSize());
       ImGui::TableSetupColumn("value");
       row("light that arrives", fmt::format("{:.3f}", record.answer));
-      const auto known = [](const std::optional<float>& value) { return value ? fmt::format("{:.3f}", *value) : std::string("not yet known"); };
+      const auto known = [](const std::optional<float>& value) {
+        return value ? fmt::format("{:.3f}", *value) : std::string("not yet known");
+      };
       row("reference", fmt::format("{} (to the centre), {} (real size)", known(facts.hard), known(facts.area)));
       row("surface", fmt::format("{}{}", picked.object, record.casts != 0 ? "" : " (casts nothing)"));
       row("position", vector_text(record.position_ws));
       row("view depth", length_text(record.view_depth));
-      row("angle to the light", fmt::format("{:.1f} degrees", std::acos(std::clamp(record.facing, -1.0f, 1.0f)) * 180.0f / k_pi));
+      row("angle to the light",
+          fmt::format("{:.1f} degrees", std::acos(std::clamp(record.facing, -1.0f, 1.0f)) * 180.0f / k_pi));
       ImGui::EndTable();
     }
     for (uint32_t i = 0; record.seen != 0 && i < record.count; ++i) show_layer(facts, record.layers[i]);

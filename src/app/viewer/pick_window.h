@@ -15,7 +15,7 @@ struct Picked {
   uvec2 pixel = uvec2(0);
   PickFacts facts;
   Reason reason;
-  std::string object;                          // name
+  std::string object;  // name
   std::string technique;
 };
 

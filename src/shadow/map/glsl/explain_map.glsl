@@ -60,7 +60,8 @@ float depth_of_texel(ExplainArguments arguments, ivec2 texel, uint layer, float 
   return texelFetch(images_2d_array[arguments.depth_image], ivec3(texel, layer), 0).x;
 }
 
-PickedLayer pick_layer(ExplainArguments arguments, ShadowViews views, uint layer, float weight, BiasParams bias, float radius, Receiver receiver) {
+PickedLayer pick_layer(ExplainArguments arguments, ShadowViews views, uint layer, float weight, BiasParams bias, float radius,
+                       Receiver receiver) {
   MapSample at = sample_of(views, layer, bias, radius, receiver);
   BiasParams none = bias;
   none.constant = none.slope = none.normal_offset = 0.0;
