@@ -27,7 +27,9 @@ void widget(const std::string& key, const ParamInfo& info, double& value) {
     }
     case ParamType::int_: {
       int number = static_cast<int>(value);
-      if (ImGui::SliderInt("##value", &number, static_cast<int>(info.min), static_cast<int>(info.max), "%d", slider_flags(info))) value = number;
+      if (ImGui::SliderInt("##value", &number, static_cast<int>(info.min), static_cast<int>(info.max), "%d", slider_flags(info))) {
+        value = number;
+      }
       break;
     }
     case ParamType::bool_: {
@@ -82,7 +84,8 @@ void ParamEditor::show(const std::string& id, const ParamBlock& block, const Par
   ImGui::TreePop();
 }
 
-void ParamEditor::row(const std::string& key, const ParamInfo& info, const ParamBlock& block, const ParamBlock& starts, const Change& change) {
+void ParamEditor::row(const std::string& key, const ParamInfo& info, const ParamBlock& block, const ParamBlock& starts,
+                      const Change& change) {
   ImGui::PushID(key.c_str());
   const double in_force = block.number(info.name);
   double value = dragged_key_ == key ? dragged_ : in_force;
@@ -99,7 +102,8 @@ void ParamEditor::row(const std::string& key, const ParamInfo& info, const Param
   }
   const auto tooltip = [&] {
     if (!ImGui::IsItemHovered()) return;
-    const std::string text = fmt::format("{}\n\n{}: {}; default {}{}", info.help, key, info.valid_text(), ParamBlock(block.table()).text(info.name),
+    const std::string text = fmt::format("{}\n\n{}: {}; default {}{}", info.help, key, info.valid_text(),
+                                         ParamBlock(block.table()).text(info.name),
                                          info.update == ParamUpdate::rebuild ? "; builds the technique again" : "");
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30.0f);

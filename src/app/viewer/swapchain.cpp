@@ -64,7 +64,8 @@ VkSemaphore make_semaphore(VkDevice device) {
 Swapchain::Swapchain(Device& device, const Window& window) : device_(device), window_(window) {
   surface_ = window.make_surface(device.instance());
   VkBool32 supported = VK_FALSE;
-  vk_check(vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queue_family(), surface_, &supported), "vkGetPhysicalDeviceSurfaceSupportKHR");
+  vk_check(vkGetPhysicalDeviceSurfaceSupportKHR(device.physical(), device.queue_family(), surface_, &supported),
+           "vkGetPhysicalDeviceSurfaceSupportKHR");
   if (!supported) fail_device("'{}' cannot show pictures in this window", device.info().name);
   acquired_ = make_semaphore(device.handle());
   VkCommandPoolCreateInfo pool = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
