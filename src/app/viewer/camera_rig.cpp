@@ -18,10 +18,7 @@ bool CameraRig::update(const CameraInput& input, float seconds) {
     return camera_.update(input, seconds);
   }
   // The centre is what is looked at; one that lies elsewhere is of a walk before.
-  if (!around_ && centre_ws_ && !orbits_) {
-    const vec3 arm = *centre_ws_ - camera_.eye();
-    if (glm::dot(glm::normalize(arm), camera_.forward()) < 0.98f) centre_ws_.reset();
-  }
+  if (!around_ && !orbits_ && !looks_at_centre()) centre_ws_.reset();
   around_ = true;
   if (!centre_ws_) centre_ws_ = ahead();
   return orbit(input, seconds);
@@ -34,6 +31,18 @@ bool CameraRig::orbit(const CameraInput& input, float seconds) {
   camera_.look_at(*centre_ws_);
   camera_.turn_about(*centre_ws_, distance, input.look_px + vec2(-input.move.x, input.move.y) * (k_keys_px_s * seconds));
   return true;
+}
+
+bool CameraRig::looks_at_centre() const {
+  if (!centre_ws_) return false;
+  const vec3 arm = *centre_ws_ - camera_.eye();
+  return glm::dot(arm, camera_.forward()) > 0.98f * glm::length(arm);
+}
+
+void CameraRig::stand_at(const Camera& camera) {
+  const float distance = centre_ws_ ? glm::length(*centre_ws_ - camera_.eye()) : 0.5f * scale_m_;
+  camera_.stand_at(camera);
+  if (!looks_at_centre()) centre_ws_ = camera_.eye() + distance * camera_.forward();
 }
 
 void CameraRig::focus(const vec3& point_ws) {

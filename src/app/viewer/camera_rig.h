@@ -15,7 +15,7 @@ class CameraRig {
   // wheel toward and away from it.
   bool update(const CameraInput& input, float seconds);
   // Goes on from where `camera` stands, after it was placed by something else.
-  void stand_at(const Camera& camera) { camera_.stand_at(camera); }
+  void stand_at(const Camera& camera);
   // Looks at the point, and orbits it.
   void focus(const vec3& point_ws);
 
@@ -28,6 +28,7 @@ class CameraRig {
 
  private:
   bool orbit(const CameraInput& input, float seconds);
+  bool looks_at_centre() const;
   vec3 ahead() const { return camera_.eye() + 0.5f * scale_m_ * camera_.forward(); }
 
   FlyCamera camera_;
