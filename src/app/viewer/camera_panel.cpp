@@ -25,10 +25,13 @@ bool CameraPanel::show(ViewState& state, CameraRig& rig, Session& session) {
   ImGui::TextDisabled("double-click: look at that point, orbit it");
   bool chosen = false;
   const auto& cameras = session.scene().cameras;
-  if (cameras.empty() && ImGui::Selectable("of the whole scene", state.view.camera.empty())) choose_scene_camera(state, ""), chosen = true;
+  if (cameras.empty() && ImGui::Selectable("of the whole scene", state.view.camera.empty()))
+    choose_scene_camera(state, ""), chosen = true;
   for (size_t i = 0; i < cameras.size(); ++i) {
-    const std::string number = std::to_string(i), label = fmt::format("{}##camera{}", cameras[i].name.empty() ? number : cameras[i].name, i);
-    const bool shown = state.view.camera == number || state.view.camera == cameras[i].name || (i == 0 && state.view.camera.empty());
+    const std::string number = std::to_string(i),
+                      label = fmt::format("{}##camera{}", cameras[i].name.empty() ? number : cameras[i].name, i);
+    const bool shown =
+        state.view.camera == number || state.view.camera == cameras[i].name || (i == 0 && state.view.camera.empty());
     if (ImGui::Selectable(label.c_str(), shown)) choose_scene_camera(state, number), chosen = true;
   }
   for (const int number : saved_.numbers()) {
@@ -36,7 +39,8 @@ bool CameraPanel::show(ViewState& state, CameraRig& rig, Session& session) {
     if (ImGui::SmallButton("x")) saved_.remove(number);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("forget it");
     ImGui::SameLine();
-    if (ImGui::Selectable(fmt::format("saved {} (key {})", number, number).c_str())) chosen = saved_.recall(number, state) || chosen;
+    if (ImGui::Selectable(fmt::format("saved {} (key {})", number, number).c_str()))
+      chosen = saved_.recall(number, state) || chosen;
     ImGui::PopID();
   }
   const int free = saved_.free_number();

@@ -13,7 +13,8 @@ namespace {
 
 constexpr ImU32 k_mark = IM_COL32(255, 220, 120, 255), k_rim = IM_COL32(0, 0, 0, 200), k_hot = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 k_faint = IM_COL32(255, 255, 255, 110), k_ground = IM_COL32(20, 24, 32, 150);
-constexpr std::array<ImU32, 3> k_axis_colours = {IM_COL32(235, 80, 80, 255), IM_COL32(110, 215, 90, 255), IM_COL32(95, 140, 255, 255)};
+constexpr std::array<ImU32, 3> k_axis_colours = {IM_COL32(235, 80, 80, 255), IM_COL32(110, 215, 90, 255),
+                                                 IM_COL32(95, 140, 255, 255)};
 
 ImVec2 im(vec2 v) { return {v.x, v.y}; }
 vec2 mouse() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
@@ -81,7 +82,8 @@ bool LightGizmo::show_sun(Light& sun, const ScreenSpace& screen) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddCircleFilled(im(centre), radius, k_ground, 48);
   list.AddCircle(im(centre), radius, k_faint, 48, 1.5f * unit());
-  for (const float ring : {k_pi / 6.0f, k_pi / 3.0f}) list.AddCircle(im(centre), glm::length(place(0.0f, ring) - centre), IM_COL32(255, 255, 255, 45), 48);
+  for (const float ring : {k_pi / 6.0f, k_pi / 3.0f})
+    list.AddCircle(im(centre), glm::length(place(0.0f, ring) - centre), IM_COL32(255, 255, 255, 45), 48);
   const char* const names[] = {"-Z", "+X", "+Z", "-X"};
   for (int i = 0; i < 4; ++i) {
     const vec2 at = place(0.5f * k_pi * static_cast<float>(i), -0.12f * k_pi);
@@ -93,7 +95,10 @@ bool LightGizmo::show_sun(Light& sun, const ScreenSpace& screen) {
   const bool dragged = drags(Handle::sky, at, 11.0f * unit());
   list.AddLine(im(centre), im(at), IM_COL32(255, 220, 120, 120), 1.5f * unit());
   knob(list, at, 7.0f * unit(), dragged || hovered_ == Handle::sky ? k_hot : (elevation < 0.0f ? k_faint : k_mark));
-  if (!dragged || ImGui::GetIO().MouseDelta.x * ImGui::GetIO().MouseDelta.x + ImGui::GetIO().MouseDelta.y * ImGui::GetIO().MouseDelta.y == 0.0f) return false;
+  if (!dragged ||
+      ImGui::GetIO().MouseDelta.x * ImGui::GetIO().MouseDelta.x + ImGui::GetIO().MouseDelta.y * ImGui::GetIO().MouseDelta.y ==
+          0.0f)
+    return false;
 
   const vec2 arm = mouse() - grip_px_ - centre;
   const float length = glm::length(arm);
@@ -114,7 +119,8 @@ bool LightGizmo::show_lamp(ListedLight& listed, const ScreenSpace& screen) {
   std::optional<vec3> new_place, new_target;
 
   // Handles that lie on top are asked first.
-  if (place && drags(Handle::place, *place, 9.0f * unit())) new_place = on_plane(light.position, screen.camera().forward_ws, ray);
+  if (place && drags(Handle::place, *place, 9.0f * unit()))
+    new_place = on_plane(light.position, screen.camera().forward_ws, ray);
   if (aim && drags(Handle::target, *aim, 9.0f * unit())) new_target = on_plane(target, screen.camera().forward_ws, ray);
   if (place && aim) list.AddLine(im(*place), im(*aim), IM_COL32(255, 220, 120, 150), 1.5f * unit());
   for (int i = 0; place && i < 3; ++i) {
@@ -132,9 +138,12 @@ bool LightGizmo::show_lamp(ListedLight& listed, const ScreenSpace& screen) {
     list.AddLine(im(*place), im(*tip), k_rim, 5.0f * unit());
     list.AddLine(im(*place), im(*tip), colour, 3.0f * unit());
     const vec2 along = glm::normalize(*tip - *place), side(-along.y, along.x);
-    list.AddTriangleFilled(im(*tip + 9.0f * unit() * along), im(*tip + 5.0f * unit() * side), im(*tip - 5.0f * unit() * side), colour);
+    list.AddTriangleFilled(im(*tip + 9.0f * unit() * along), im(*tip + 5.0f * unit() * side), im(*tip - 5.0f * unit() * side),
+                           colour);
   }
-  if (aim) knob(list, *aim, 5.0f * unit(), dragged_ == Handle::target || hovered_ == Handle::target ? k_hot : IM_COL32(255, 150, 70, 255));
+  if (aim)
+    knob(list, *aim, 5.0f * unit(),
+         dragged_ == Handle::target || hovered_ == Handle::target ? k_hot : IM_COL32(255, 150, 70, 255));
   if (place) knob(list, *place, 7.0f * unit(), dragged_ == Handle::place || hovered_ == Handle::place ? k_hot : k_mark);
 
   const bool still = ImGui::GetIO().MouseDelta.x == 0.0f && ImGui::GetIO().MouseDelta.y == 0.0f;

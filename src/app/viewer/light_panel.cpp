@@ -100,11 +100,16 @@ bool LightPanel::edit(ListedLight& listed, const Session& session) {
   changed = ImGui::ColorEdit3("colour", &light.colour.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR) || changed;
   light.colour = glm::max(light.colour, vec3(0.0f));
   const char* unit = light.parallel() ? "intensity [lux]" : "intensity [cd]";
-  changed = ImGui::DragFloat(unit, &light.intensity, std::max(0.01f * light.intensity, 1e-3f), 0.0f, 1e9f, "%.4g", ImGuiSliderFlags_AlwaysClamp) || changed;
+  changed = ImGui::DragFloat(unit, &light.intensity, std::max(0.01f * light.intensity, 1e-3f), 0.0f, 1e9f, "%.4g",
+                             ImGuiSliderFlags_AlwaysClamp) ||
+            changed;
   if (light.parallel()) {
-    changed = degrees("size [degree]", light.angular_diameter, 0.0f, 60.0f, "angular diameter of the disc; 0 makes shadows hard") || changed;
+    changed =
+        degrees("size [degree]", light.angular_diameter, 0.0f, 60.0f, "angular diameter of the disc; 0 makes shadows hard") ||
+        changed;
   } else {
-    changed = length("radius [m]", light.radius, 1e4f, 0.1f * scale_m, "of the shining sphere; 0 makes shadows hard") || changed;
+    changed =
+        length("radius [m]", light.radius, 1e4f, 0.1f * scale_m, "of the shining sphere; 0 makes shadows hard") || changed;
     changed = length("range [m]", light.range, 1e6f, scale_m, "where its light ends; 0: nowhere") || changed;
   }
   return changed;
@@ -122,9 +127,11 @@ bool LightPanel::edit_sun(Light& sun, const Session& session) {
   auto hour = static_cast<float>(hour_of(path, sun));
   const auto minutes = static_cast<int>(60.0f * hour + 0.5f);
   const std::string clock = fmt::format("{}:{:02}", minutes / 60, minutes % 60);
-  const bool chosen = ImGui::SliderFloat("time of day", &hour, static_cast<float>(path.first_hour), static_cast<float>(path.last_hour), clock.c_str(),
-                                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("on the sun path '%s', which also sets colour and intensity", path.name.c_str());
+  const bool chosen =
+      ImGui::SliderFloat("time of day", &hour, static_cast<float>(path.first_hour), static_cast<float>(path.last_hour),
+                         clock.c_str(), ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("on the sun path '%s', which also sets colour and intensity", path.name.c_str());
   if (chosen) {
     const SunState state = sun_at(path, static_cast<double>(hour));
     sun.direction = state.direction, sun.colour = state.colour, sun.intensity = state.intensity;
@@ -147,7 +154,9 @@ bool LightPanel::edit_lamp(ListedLight& listed, const Session& session) {
       light.inner_cone = std::min(light.inner_cone, light.outer_cone);
       changed = true;
     }
-    changed = degrees("inner cone [degree]", light.inner_cone, 0.0f, light.outer_cone / k_degree, "half angle: inside it is bright") || changed;
+    changed = degrees("inner cone [degree]", light.inner_cone, 0.0f, light.outer_cone / k_degree,
+                      "half angle: inside it is bright") ||
+              changed;
   }
   if (light.kind == LightKind::projector && length("beam [m]", light.beam_radius, 1e6f, scale_m, "radius of the beam")) {
     light.beam_radius = std::max(light.beam_radius, 1e-3f);

@@ -25,7 +25,8 @@ bool show_playhead(Playhead& head) {
   ImGui::SameLine();
   auto time = static_cast<float>(head.time_s);
   ImGui::SetNextItemWidth(-1.0f);
-  const bool scrubbed = ImGui::SliderFloat("##time", &time, 0.0f, static_cast<float>(head.duration_s), "%.2f s", ImGuiSliderFlags_AlwaysClamp);
+  const bool scrubbed =
+      ImGui::SliderFloat("##time", &time, 0.0f, static_cast<float>(head.duration_s), "%.2f s", ImGuiSliderFlags_AlwaysClamp);
   if (scrubbed) head.time_s = static_cast<double>(time);
   ImGui::SetNextItemWidth(0.4f * ImGui::GetContentRegionAvail().x);
   ImGui::SliderFloat("speed", &head.speed, 0.05f, 8.0f, "%.2f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
@@ -39,7 +40,8 @@ void choose(const char* label, const Paths& names, size_t& chosen, Playhead& hea
   ImGui::SetNextItemWidth(0.6f * ImGui::GetContentRegionAvail().x);
   if (!ImGui::BeginCombo(label, names[chosen].c_str())) return;
   for (size_t i = 0; i < names.size(); ++i) {
-    if (ImGui::Selectable(fmt::format("{}##{}", names[i], i).c_str(), i == chosen) && i != chosen) chosen = i, head.time_s = 0.0, head.playing = false;
+    if (ImGui::Selectable(fmt::format("{}##{}", names[i], i).c_str(), i == chosen) && i != chosen)
+      chosen = i, head.time_s = 0.0, head.playing = false;
   }
   ImGui::EndCombo();
 }
@@ -61,7 +63,8 @@ bool PathPanel::advance(ViewState& state, const Session& session, const CameraRi
   const auto& suns = session.scene().sun_paths;
   if ((sun_.advance(seconds) || std::exchange(sun_scrubbed_, false)) && sun_path_ < suns.size()) {
     auto lights = lights_of(state, session.chosen_lights());
-    const auto sun = std::find_if(lights.begin(), lights.end(), [](const ListedLight& listed) { return listed.light.kind == LightKind::directional; });
+    const auto sun = std::find_if(lights.begin(), lights.end(),
+                                  [](const ListedLight& listed) { return listed.light.kind == LightKind::directional; });
     if (sun == lights.end()) {
       sun_.playing = false;
       fail_usage("the sun path '{}' moves a sun, and no light is one; add a sun to the lights", suns[sun_path_].name);

@@ -31,7 +31,8 @@ void PresetPanel::load(ViewState& state, const std::string& name) {
   const Preset preset = load_preset(name);
   state = with_preset(state, preset, keep_view_);
   done_ = fmt::format("loaded {}", name);
-  if (for_other_scene(state, preset)) done_ += fmt::format("; it is for the scene {}: camera and lights stay as they are", *preset.scene);
+  if (for_other_scene(state, preset))
+    done_ += fmt::format("; it is for the scene {}: camera and lights stay as they are", *preset.scene);
 }
 
 void PresetPanel::builtin_ones(ViewState& state) {
@@ -42,7 +43,8 @@ void PresetPanel::builtin_ones(ViewState& state) {
     if (!ImGui::IsItemHovered()) continue;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30.0f);
-    ImGui::TextWrapped("%s\n\n%s\nscene %s", preset.description.c_str(), preset.source.c_str(), preset.scene.value_or("any").c_str());
+    ImGui::TextWrapped("%s\n\n%s\nscene %s", preset.description.c_str(), preset.source.c_str(),
+                       preset.scene.value_or("any").c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
   }

@@ -19,7 +19,8 @@ WorldRay ScreenSpace::ray_at(vec2 screen) const {
 }
 
 float ScreenSpace::metres(const vec3& point_ws, float pixels) const {
-  const float depth = camera_.orthographic ? 1.0f : std::max(glm::dot(point_ws - camera_.eye_ws, camera_.forward_ws), camera_.near_m);
+  const float depth =
+      camera_.orthographic ? 1.0f : std::max(glm::dot(point_ws - camera_.eye_ws, camera_.forward_ws), camera_.near_m);
   return 2.0f * glm::length(camera_.up_ws) * depth * pixels / size_.y;
 }
 

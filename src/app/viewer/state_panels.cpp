@@ -60,7 +60,8 @@ void StatePanels::show(ViewState& state, CameraRig& rig, Session& session, std::
     wants_redo_ = button("redo (Ctrl+Y)", history_.can_redo()) || wants_redo_;
     lights_open = ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen);
     if (lights_open) attempt(message, [&] { lights_.show(state, session); });
-    if (ImGui::CollapsingHeader("Camera", ImGuiTreeNodeFlags_DefaultOpen)) camera_placed_ = cameras_.show(state, rig, session) || camera_placed_;
+    if (ImGui::CollapsingHeader("Camera", ImGuiTreeNodeFlags_DefaultOpen))
+      camera_placed_ = cameras_.show(state, rig, session) || camera_placed_;
     if (ImGui::CollapsingHeader("Paths")) attempt(message, [&] { paths_.show(session, rig); });
     if (ImGui::CollapsingHeader("Presets")) attempt(message, [&] { presets_.show(state, session.options().size); });
   }
@@ -71,6 +72,9 @@ void StatePanels::show(ViewState& state, CameraRig& rig, Session& session, std::
 
 std::optional<ViewState> StatePanels::travel(const ViewState& state) {
   const bool undo = std::exchange(wants_undo_, false) && history_.can_undo(), redo = std::exchange(wants_redo_, false) && history_.can_redo();
+std::optional<ViewState> SidePanels::travel(const ViewState& state) {
+  const bool undo = std::exchange(wants_undo_, false) && history_.can_undo(),
+             redo = std::exchange(wants_redo_, false) && history_.can_redo();
   if (!undo && !redo) return std::nullopt;
   ViewState next = undo ? history_.undo() : history_.redo();
   next.view.size = state.view.size;

@@ -13,9 +13,10 @@ class StatePanels {
  public:
   explicit StatePanels(const ViewState& first) : history_(first) {}
 
-  // Before the user's own steps: `moved` is true when those of this frame move the camera. Changes `state` by keys, clicks and time.
-  // `message` gets what was not possible.
-  void before_panels(ViewState& state, CameraRig& rig, Session& session, const Window& window, double seconds, std::string& message);
+  // Before the user's own steps: `moved` is true when those of this frame move the camera. Changes `state` by keys, clicks and
+  // time. `message` gets what was not possible.
+  void before_panels(ViewState& state, CameraRig& rig, Session& session, const Window& window, double seconds,
+                     std::string& message);
   void show(ViewState& state, CameraRig& rig, Session& session, std::string& message);
   // The user moves the camera: a path no longer does.
   void user_moves_camera() { paths_.stop_camera(); }
