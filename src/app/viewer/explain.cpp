@@ -8,12 +8,12 @@
 
 #include "app/viewer/legend.h"
 #include "app/viewer/light_lines.h"
+#include "app/viewer/section.h"
 #include "base/error.h"
 
 namespace gnomon::viewer {
 namespace {
 
-constexpr float k_panel_width = 330.0f;
 
 const char* overlay_title(uint32_t overlay) {
   switch (overlay) {
@@ -71,7 +71,7 @@ void Explain::show(const Window& window, Session& session, const TechniqueSet& t
 
 void Explain::handle_keys(const Window& window) {
   if (ImGui::GetIO().WantTextInput || window.control_held()) return;
-  if (window.pressed(GLFW_KEY_O)) options_.overlay = (options_.overlay + 1) % k_overlay_count;
+  if (window.pressed(GLFW_KEY_V)) options_.overlay = (options_.overlay + 1) % k_overlay_count;
   if (window.pressed(GLFW_KEY_L)) options_.lines = !options_.lines;
   if (window.pressed(GLFW_KEY_M)) map_open_ = !map_open_;
   if (window.pressed(GLFW_KEY_P)) pick_mode_ = !pick_mode_;
@@ -88,18 +88,14 @@ void Explain::handle_pick(Session& session) {
   }
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantCaptureMouse) return;
-  const bool click = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && (pick_mode_ || io.KeyAlt);
+  const bool click = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && pick_mode_;
   if (!click && !ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) return;
   place_ = glm::clamp(vec2(io.MousePos.x, io.MousePos.y) / screen_size(), 0.0f, 0.9999f);
   pick_mode_ = false;
 }
 
 void Explain::panel(Session& session, const TechniqueSet& techniques) {
-  ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - 8.0f, 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
-  ImGui::SetNextWindowSize({k_panel_width, 0.0f}, ImGuiCond_Always);
-  ImGui::SetNextWindowCollapsed(
-      !map_open_ && !place_ && !options_.pick && !options_.lines && options_.overlay == k_overlay_none, ImGuiCond_FirstUseEver);
-  if (ImGui::Begin("Explain", nullptr, ImGuiWindowFlags_NoResize)) {
+  if (begin_section("Explain", options_.lines || options_.overlay != k_overlay_none)) {
     const auto lights = session.frame().lights();
     const auto light_label = [&](size_t i) { return fmt::format("{}##{}", lights[i].name, i); };
     if (lights.size() > 1 && ImGui::BeginCombo("of light", light_label(light_).c_str())) {
@@ -109,7 +105,7 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
       ImGui::EndCombo();
     }
     const bool has_map = techniques.techniques()[light_]->shadow_map().has_value();
-    if (ImGui::BeginCombo("(O)", overlay_title(options_.overlay))) {
+    if (ImGui::BeginCombo("overlay (V)", overlay_title(options_.overlay))) {
       for (uint32_t overlay = 0; overlay < k_overlay_count; ++overlay) {
         if (ImGui::Selectable(overlay_title(overlay), overlay == options_.overlay)) options_.overlay = overlay;
       }
@@ -132,9 +128,9 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
     ImGui::Checkbox("map (M)", &map_open_);
     ImGui::SameLine();
     ImGui::Checkbox("pick (P)", &pick_mode_);
-    remark("a pixel is picked by Alt + click, too, and by the middle button");
+    remark("the middle button picks, too");
   }
-  ImGui::End();
+  end_section();
 }
 
 void Explain::show_marks(Session& session) {

@@ -39,8 +39,6 @@ class Explain {
   void collect(Session& session, const TechniqueSet& techniques);
   // What the pass that draws the interface must name.
   std::span<const ResourceUse> uses() const { return map_pane_.uses(); }
-  // Before the session's scene goes: the reference of single points reads it.
-  void forget_scene() { reference_.reset(), picked_.reset(), held_.reset(); }
 
  private:
   struct Held {

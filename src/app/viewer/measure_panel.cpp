@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "app/viewer/section.h"
+
 namespace gnomon::viewer {
 namespace {
 
@@ -32,13 +34,7 @@ std::string mib(uint64_t bytes) { return fmt::format("{:.1f} MiB", static_cast<d
 }  // namespace
 
 void MeasurePanel::show(Timings& timings, bool& separate_passes, Session& session, const TechniqueSet& techniques) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size = {std::min(430.0f, screen.x - 16.0f), std::clamp(screen.y - 262.0f, 120.0f, 440.0f)};
-  ImGui::SetNextWindowPos({screen.x - 8.0f, 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
-  ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
-  // Beside the other panel there is room in a wide window only.
-  ImGui::SetNextWindowCollapsed(screen.x < 960.0f, ImGuiCond_FirstUseEver);
-  if (ImGui::Begin("Measure") && !timings.frames().empty()) {
+  if (begin_section("Measure") && !timings.frames().empty()) {
     if (ImGui::Button(timings.paused ? "Go on" : "Pause")) timings.paused = !timings.paused;
     ImGui::SameLine();
     ImGui::Checkbox("separate the passes (full barriers)", &separate_passes);
@@ -48,7 +44,7 @@ void MeasurePanel::show(Timings& timings, bool& separate_passes, Session& sessio
     table();
     memory(session, techniques);
   }
-  ImGui::End();
+  end_section();
 }
 
 void MeasurePanel::update_rows(const Timings& timings) {

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "base/error.h"
+#include "app/viewer/section.h"
 #include "base/log.h"
 #include "base/shell.h"
 #include "gpu/shader.h"
@@ -16,13 +17,7 @@ namespace gnomon::viewer {
 Outputs::Outputs(Device& device) : clip_(background_), comparison_({"--device", device.info().name}) {}
 
 void Outputs::show(const ViewState& next, const Session& session) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size = {std::min(430.0f, screen.x - 16.0f), 230.0f};
-  // Below the measuring panel; closed its bar stays there, so that it opens within the window.
-  ImGui::SetNextWindowPos({screen.x - size.x - 8.0f, std::max(screen.y - size.y - 8.0f, 8.0f)}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowCollapsed(true, ImGuiCond_FirstUseEver);
-  if (ImGui::Begin("Pictures, clips, reports")) {
+  if (begin_section("Pictures, clips, reports")) {
     if (ImGui::Button("PNG (F12)")) want_picture(".png");
     ImGui::SameLine();
     if (ImGui::Button("EXR, scene-linear")) want_picture(".exr");
@@ -33,7 +28,7 @@ void Outputs::show(const ViewState& next, const Session& session) {
       message_ = error.what();
     }
   }
-  ImGui::End();
+  end_section();
 }
 
 void Outputs::show_clip() {

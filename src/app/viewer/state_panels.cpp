@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/viewer/section.h"
 #include "base/error.h"
 
 namespace gnomon::viewer {
@@ -41,14 +42,14 @@ void StatePanels::before_panels(ViewState& state, CameraRig& rig, Session& sessi
 }
 
 void StatePanels::show(ViewState& state, CameraRig& rig, Session& session, std::string& message) {
-  const float unit = ImGui::GetFontSize() / 13.0f;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = std::min(310.0f * unit, screen.x - 16.0f);
-  ImGui::SetNextWindowPos({screen.x - width - 8.0f, 8.0f}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({width, std::max(screen.y - 16.0f - 160.0f * unit, 60.0f)}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowCollapsed(screen.x < 1000.0f * unit, ImGuiCond_FirstUseEver);  // the picture would be hidden
-  bool lights_open = false;
-  if (ImGui::Begin("scene")) {
+  const bool lights_open = begin_section("Lights");
+  if (lights_open) attempt(message, [&] { lights_.show(state, session); });
+  end_section();
+  if (begin_section("Camera")) camera_placed_ = cameras_.show(state, rig, session) || camera_placed_;
+  end_section();
+  if (begin_section("Paths")) attempt(message, [&] { paths_.show(session, rig); });
+  end_section();
+  if (begin_section("Presets, undo")) {
     const auto button = [](const char* label, bool enabled) {
       ImGui::BeginDisabled(!enabled);
       const bool clicked = ImGui::Button(label);
@@ -58,23 +59,16 @@ void StatePanels::show(ViewState& state, CameraRig& rig, Session& session, std::
     wants_undo_ = button("undo (Ctrl+Z)", history_.can_undo()) || wants_undo_;
     ImGui::SameLine();
     wants_redo_ = button("redo (Ctrl+Y)", history_.can_redo()) || wants_redo_;
-    lights_open = ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen);
-    if (lights_open) attempt(message, [&] { lights_.show(state, session); });
-    if (ImGui::CollapsingHeader("Camera", ImGuiTreeNodeFlags_DefaultOpen))
-      camera_placed_ = cameras_.show(state, rig, session) || camera_placed_;
-    if (ImGui::CollapsingHeader("Paths")) attempt(message, [&] { paths_.show(session, rig); });
-    if (ImGui::CollapsingHeader("Presets")) attempt(message, [&] { presets_.show(state, session.options().size); });
+    attempt(message, [&] { presets_.show(state, session.options().size); });
   }
-  ImGui::End();
+  end_section();
   if (lights_open) attempt(message, [&] { lights_.show_gizmo(state, session); });
   cameras_.show_centre(rig, session);
 }
 
 std::optional<ViewState> StatePanels::travel(const ViewState& state) {
-  const bool undo = std::exchange(wants_undo_, false) && history_.can_undo(), redo = std::exchange(wants_redo_, false) && history_.can_redo();
-std::optional<ViewState> SidePanels::travel(const ViewState& state) {
-  const bool undo = std::exchange(wants_undo_, false) && history_.can_undo(),
-             redo = std::exchange(wants_redo_, false) && history_.can_redo();
+  const bool undo = std::exchange(wants_undo_, false) && history_.can_undo();
+  const bool redo = std::exchange(wants_redo_, false) && history_.can_redo();
   if (!undo && !redo) return std::nullopt;
   ViewState next = undo ? history_.undo() : history_.redo();
   next.view.size = state.view.size;

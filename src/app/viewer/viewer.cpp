@@ -7,6 +7,7 @@
 #include <cmath>
 #include <thread>
 
+#include "app/viewer/section.h"
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
@@ -126,12 +127,12 @@ void Viewer::draw() {
     }
     ImGui::End();
     panels_.show(next, wishes_, *session_, techniques_);
-    if (begin_main_panel() && ImGui::CollapsingHeader("Compare")) sides_.show(next, *session_, panels_.light());
-    ImGui::End();
-    state_panels_.show(next, camera_, *session_, message_);
+    if (begin_section("Compare", options_.sides.second != SecondSide::none || options_.sides.error)) sides_.show(next, *session_, panels_.light());
+    end_section();
     explain_.show(window_, *session_, techniques_);
     measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
     outputs_.show(next, *session_);
+    state_panels_.show(next, camera_, *session_, message_);
   }
   if (opening_) show_progress(opening_->status(), opening_->share());
   sides_.show_divider();

@@ -1,0 +1,13 @@
+// The column at the right: sections below each other, each with a bar that opens it. Closed ones cost next to nothing to draw.
+#pragma once
+
+namespace gnomon::viewer {
+
+// True while the section is open; end_section follows in any case. `open_at_first`: before the user opened or closed it.
+bool begin_section(const char* title, bool open_at_first = false);
+void end_section();
+
+// Width of what stands in a section, pixels.
+float section_width();
+
+}  // namespace gnomon::viewer
