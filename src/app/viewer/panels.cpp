@@ -21,7 +21,8 @@ void wrapped(const std::string& text, float width) {
 bool begin_main_panel() {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize({std::min(360.0f, screen.x - 16.0f), std::max(screen.y - 16.0f, 60.0f)}, ImGuiCond_FirstUseEver);
+  const float width = std::min(28.0f * ImGui::GetFontSize(), screen.x - 16.0f);
+  ImGui::SetNextWindowSize({width, std::max(screen.y - 16.0f, 60.0f)}, ImGuiCond_FirstUseEver);
   const bool open = ImGui::Begin("gnomon");
   if (open) note_window("panel");
   return open;
