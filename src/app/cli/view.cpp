@@ -16,7 +16,7 @@ struct Arguments {
   float scale = 0.0f, frame_ms = 50.0f;  // scale 0: follows the time of a frame
   uint32_t frames = 0;
   std::string screenshot, split;
-  bool error = false;
+  bool error = false, no_panels = false;
   std::string overlay, pick, map;
 };
 
@@ -41,6 +41,7 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   wishes.adapt_size = arguments.scale == 0.0f;
   if (!wishes.adapt_size) wishes.scale = arguments.scale;
   wishes.target_ms = arguments.frame_ms;
+  wishes.interface = !arguments.no_panels;
   viewer::ViewerOptions how{arguments.frames, arguments.screenshot, {}, explain};
   how.sides.error = arguments.error;
   if (!arguments.split.empty()) {
@@ -76,6 +77,7 @@ void add_view(CLI::App& app, const Globals& globals) {
       ->capture_default_str();
   command->add_option("--frames", arguments->frames, "ends after so many frames (default: when the window is closed)")->check(CLI::Range(1u, 1000000u));
   command->add_option("--split", arguments->split, "a second side beside the picture: a technique, or 'reference'");
+  command->add_flag("--no-panels", arguments->no_panels, "the picture alone (F1 shows the panels)");
   command->add_flag("--error", arguments->error, "error against the reference over the picture");
   command->add_option("--overlay", arguments->overlay,
                       "what is shown over the picture: layers, texels, footprint, flags or overdraw; and lines, of the light's views");

@@ -10,10 +10,11 @@
 namespace gnomon::viewer {
 namespace {
 
-Image make_image(Device& device, const char* name, uvec2 size) {
+Image make_image(Device& device, const char* name, uvec2 size, VkFormat format) {
   ImageInfo info;
   info.name = name;
   info.width = size.x, info.height = size.y;
+  info.format = format;
   // An image has a view, and a view needs more than copies: hence an attachment.
   info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   return Image(device, info);
@@ -23,7 +24,7 @@ Image make_image(Device& device, const char* name, uvec2 size) {
 
 void Canvas::resize(uvec2 size, VkRenderPass render_pass) {
   release();
-  image_ = make_image(device_, "canvas", size);
+  image_ = make_image(device_, "canvas", size, k_window_format);
   const VkImageView view = image_.layer_view(0);
   VkFramebufferCreateInfo info = {VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
   info.renderPass = render_pass;
@@ -43,7 +44,7 @@ void Canvas::release() noexcept {
 void Canvas::record_picture(Recorder& recorder, const Frame& frame, size_t side) {
   Image& picture = pictures_[side];
   const uvec2 from = frame.size();
-  if (!picture || from != uvec2(picture.info().width, picture.info().height)) picture = make_image(device_, "picture", from);
+  if (!picture || from != uvec2(picture.info().width, picture.info().height)) picture = make_image(device_, "picture", from, VK_FORMAT_R8G8B8A8_UNORM);
   recorder.pass("window/copy", PassStage::other, {{frame.display(), Use::copy_read}, {picture, Use::copy_write}},
                 [&](Commands& commands) { commands.copy(frame.display(), picture); });
 }
@@ -108,7 +109,11 @@ Image8 Canvas::read() const {
   staging.invalidate();
   Image8 image(static_cast<int>(size().x), static_cast<int>(size().y));
   std::memcpy(image.rgba.data(), staging.mapped(), bytes);
-  for (size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;  // blending left its own alpha
+  static_assert(k_window_format == VK_FORMAT_B8G8R8A8_UNORM);
+  for (size_t i = 0; i < image.rgba.size(); i += 4) {
+    std::swap(image.rgba[i], image.rgba[i + 2]);
+    image.rgba[i + 3] = 255;  // blending left its own
+  }
   return image;
 }
 

@@ -32,7 +32,13 @@ Interface::Interface(Device& device, const Window& window) : device_(device) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // nothing is left behind in the user's folder
   ImGui::StyleColorsDark();
-  ImGui::GetStyle().WindowRounding = ImGui::GetStyle().FrameRounding = 3.0f;
+  if (device.info().software) {
+    // Corners and soft edges are some thousand small triangles, which a CPU draws slowly.
+    ImGui::GetStyle().AntiAliasedFill = ImGui::GetStyle().AntiAliasedLines = false;
+    ImGui::GetStyle().WindowBorderSize = 0.0f;
+  } else {
+    ImGui::GetStyle().WindowRounding = ImGui::GetStyle().FrameRounding = 3.0f;
+  }
   // The default font is of 13 pixels.
   const float scale = window.interface_scale();
   ImFontConfig font;
@@ -73,7 +79,7 @@ Interface::~Interface() {
 
 void Interface::make_render_pass() {
   VkAttachmentDescription colour = {};
-  colour.format = VK_FORMAT_R8G8B8A8_UNORM;
+  colour.format = k_window_format;
   colour.samples = VK_SAMPLE_COUNT_1_BIT;
   colour.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
   colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;

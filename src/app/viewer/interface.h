@@ -5,6 +5,9 @@
 
 namespace gnomon::viewer {
 
+// What it is drawn onto: as most windows have it, so that a finished picture needs a copy only.
+inline constexpr VkFormat k_window_format = VK_FORMAT_B8G8R8A8_UNORM;
+
 class Interface {
  public:
   Interface(Device& device, const Window& window);

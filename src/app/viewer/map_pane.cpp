@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "app/viewer/interface.h"
 #include "gpu/pipeline_target.h"
 
 namespace gnomon::viewer {
@@ -47,7 +48,7 @@ MapPane::MapPane(Device& device, VkRenderPass render_pass)
   GraphicsPipelineInfo info;
   info.vertex = "app/viewer/map_pane.vert";
   info.fragment = "app/viewer/map_pane.frag";
-  info.colour_formats = {VK_FORMAT_R8G8B8A8_UNORM};
+  info.colour_formats = {k_window_format};
   pipeline_ = make_graphics_pipeline(device, info, {.render_pass = render_pass});
 }
 

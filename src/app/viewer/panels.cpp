@@ -22,7 +22,7 @@ bool begin_main_panel() {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
   const float width = std::min(28.0f * ImGui::GetFontSize(), screen.x - 16.0f);
-  ImGui::SetNextWindowSize({width, std::max(screen.y - 16.0f, 60.0f)}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize({width, std::max(0.62f * screen.y, std::min(screen.y - 16.0f, 400.0f))}, ImGuiCond_FirstUseEver);
   const bool open = ImGui::Begin("gnomon");
   if (open) note_window("panel");
   return open;

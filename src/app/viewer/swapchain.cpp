@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/viewer/interface.h"
 #include "base/error.h"
 
 namespace gnomon::viewer {
@@ -13,9 +14,10 @@ VkSurfaceFormatKHR choose_format(VkPhysicalDevice physical, VkSurfaceKHR surface
   vk_check(vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, nullptr), "vkGetPhysicalDeviceSurfaceFormatsKHR");
   std::vector<VkSurfaceFormatKHR> formats(count);
   vk_check(vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, formats.data()), "vkGetPhysicalDeviceSurfaceFormatsKHR");
-  for (const VkSurfaceFormatKHR& format : formats) {
-    const bool unorm = format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM;
-    if (unorm && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) return format;
+  for (const VkFormat wanted : {k_window_format, VK_FORMAT_R8G8B8A8_UNORM}) {
+    for (const VkSurfaceFormatKHR& format : formats) {
+      if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) return format;
+    }
   }
   fail_device("the window offers no 8-bit UNORM format");
 }
@@ -114,7 +116,7 @@ bool Swapchain::make() {
   info.surface = surface_;
   info.minImageCount = limits.minImageCount + 1;
   if (limits.maxImageCount > 0) info.minImageCount = std::min(info.minImageCount, limits.maxImageCount);
-  info.imageFormat = format.format;
+  info.imageFormat = format_ = format.format;
   info.imageColorSpace = format.colorSpace;
   info.imageExtent = extent_;
   info.imageArrayLayers = 1;
@@ -164,12 +166,20 @@ void Swapchain::record_copy(const Image& picture, VkImage target) {
   const Transition to_copy = {true, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, 0,
                               VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
   wait_for(commands_, {barrier_of(picture.handle(), advance(picture.state(), Use::copy_read)), barrier_of(target, to_copy)});
-  VkImageBlit region = {};
-  region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-  region.srcOffsets[1] = {static_cast<int32_t>(picture.info().width), static_cast<int32_t>(picture.info().height), 1};
-  region.dstOffsets[1] = {static_cast<int32_t>(extent_.width), static_cast<int32_t>(extent_.height), 1};
-  vkCmdBlitImage(commands_, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region,
-                 VK_FILTER_NEAREST);
+  const ImageInfo& from = picture.info();
+  if (format_ == from.format && extent_.width == from.width && extent_.height == from.height) {
+    VkImageCopy region = {};
+    region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.extent = {from.width, from.height, 1};
+    vkCmdCopyImage(commands_, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+  } else {
+    VkImageBlit region = {};
+    region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.srcOffsets[1] = {static_cast<int32_t>(from.width), static_cast<int32_t>(from.height), 1};
+    region.dstOffsets[1] = {static_cast<int32_t>(extent_.width), static_cast<int32_t>(extent_.height), 1};
+    vkCmdBlitImage(commands_, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                   &region, VK_FILTER_NEAREST);
+  }
   wait_for(commands_, {barrier_of(target, {true, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                            VK_ACCESS_2_TRANSFER_WRITE_BIT, 0, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                                            VK_IMAGE_LAYOUT_PRESENT_SRC_KHR})});

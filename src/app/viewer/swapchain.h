@@ -32,6 +32,7 @@ class Swapchain {
   VkSurfaceKHR surface_ = VK_NULL_HANDLE;
   VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
   VkExtent2D extent_ = {};
+  VkFormat format_ = VK_FORMAT_UNDEFINED;
   std::vector<VkImage> images_;
   std::vector<VkSemaphore> finished_;  // one per image: free again when the image is
   VkSemaphore acquired_ = VK_NULL_HANDLE;
