@@ -50,7 +50,7 @@ void Panels::window(Wishes& wishes, const Session& session) const {
   ImGui::SameLine();
   ImGui::Checkbox("vsync", &wishes.vsync);
   note_widget("vsync");
-  ImGui::Checkbox("size of the picture follows the time of a frame", &wishes.adapt_size);
+  ImGui::Checkbox("adapt the picture's size", &wishes.adapt_size);
   note_widget("adapt_size");
   ImGui::SetNextItemWidth(0.42f * ImGui::GetContentRegionAvail().x);
   if (wishes.adapt_size) {
@@ -61,7 +61,9 @@ void Panels::window(Wishes& wishes, const Session& session) const {
     note_widget("scale");
   }
   const uvec2 size = session.options().size;
-  ImGui::TextDisabled("%u x %u; W A S D Q E, right mouse button; %.3g m/s (wheel)", size.x, size.y, static_cast<double>(speed_m_s_));
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::TextWrapped("%u x %u; W A S D Q E, right mouse button; %.3g m/s (wheel)", size.x, size.y, static_cast<double>(speed_m_s_));
+  ImGui::PopStyleColor();
 }
 
 void Panels::technique(ViewState& state, Session& session, const TechniqueSet& techniques) {
