@@ -42,7 +42,7 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  Device& device() { return device_; }
+  Device& device() const { return device_; }
   const Scene& scene() const { return scene_; }
   const Camera& camera() const { return camera_; }
   Frame& frame() { return *frame_; }

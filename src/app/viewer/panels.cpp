@@ -36,6 +36,7 @@ void Panels::show(ViewState& state, Wishes& wishes, Session& session, const Tech
       editor_.search_field();
       technique_params(state, session, techniques.spec(light_));
       scene_params(state, session);
+      samples(state, session);
     }
   }
   ImGui::End();
@@ -116,8 +117,24 @@ void Panels::technique_params(ViewState& state, Session& session, const Techniqu
   }
 }
 
+void Panels::samples(ViewState& state, const Session& session) {
+  ImGui::SetNextItemWidth(0.42f * ImGui::GetContentRegionAvail().x);
+  if (ImGui::BeginCombo("##samples", fmt::format("{}", session.options().samples).c_str())) {
+    for (const int count : session.device().info().sample_counts) {
+      const auto samples = static_cast<uint32_t>(count);
+      if (ImGui::Selectable(fmt::format("{}", count).c_str(), samples == session.options().samples)) state.view.samples = samples;
+      note_widget("samples", fmt::format("{}", count));
+    }
+    ImGui::EndCombo();
+  } else {
+    note_widget("samples");
+  }
+  ImGui::SameLine();
+  ImGui::TextUnformatted("samples a pixel");
+}
+
 void Panels::scene_params(ViewState& state, Session& session) {
-  for (const char* id : {"light", "frame", "camera"}) {
+  for (const char* id : {"light", "frame", "camera", "reference"}) {
     const ParamBlock& block = session.settings().block(id);
     // What the scene decides about its light and camera is where those started.
     editor_.show(id, block, start_.block(id), [&](std::string_view name, const std::string* value) {

@@ -37,6 +37,7 @@ class Panels {
   void technique(ViewState& state, Session& session, const TechniqueSet& techniques);
   void technique_params(ViewState& state, Session& session, const TechniqueSpec& spec);
   void scene_params(ViewState& state, Session& session);
+  static void samples(ViewState& state, const Session& session);
   void window(Wishes& wishes, const Session& session) const;
 
   Settings start_;  // with what the scene decided about light and camera

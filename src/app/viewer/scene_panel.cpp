@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <functional>
+
 #include "scene/load.h"
 
 namespace gnomon::viewer {
@@ -27,16 +29,30 @@ std::optional<std::string> ScenePanel::show(const std::string& shown_scene, cons
   return wanted;
 }
 
-void show_progress(const std::string& text, double share) {
+namespace {
+
+void box_in_the_middle(const std::function<void()>& content) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * screen.x, 0.5f * screen.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({0.6f * screen.x, 0.0f});
   constexpr ImGuiWindowFlags k_plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing;
   if (ImGui::Begin("##progress", nullptr, k_plain)) {
-    ImGui::TextWrapped("%s", text.c_str());
-    ImGui::ProgressBar(static_cast<float>(share), {-1.0f, 0.0f});
+    content();
   }
   ImGui::End();
+}
+
+}  // namespace
+
+void show_notice(const std::string& text) {
+  box_in_the_middle([&] { ImGui::TextWrapped("%s", text.c_str()); });
+}
+
+void show_progress(const std::string& text, double share) {
+  box_in_the_middle([&] {
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::ProgressBar(static_cast<float>(share), {-1.0f, 0.0f});
+  });
 }
 
 }  // namespace gnomon::viewer

@@ -17,7 +17,8 @@ class ScenePanel {
   char path_[1024] = {};
 };
 
-// A box with a bar, while something takes its time.
+// A box with a bar, and one without, while something takes its time.
+void show_notice(const std::string& text);
 void show_progress(const std::string& text, double share);
 
 }  // namespace gnomon::viewer

@@ -20,6 +20,15 @@ bool needs_rebuild(const SettingsMap& old_settings, const SettingsMap& new_setti
 
 }  // namespace
 
+bool TechniqueSet::builds(std::span<const Light> lights, const std::vector<std::string>& names, const Settings& settings) const {
+  if (lights.size() != entries_.size()) return true;
+  for (size_t i = 0; i < lights.size(); ++i) {
+    const TechniqueSpec* spec = technique_for(names, lights[i].kind);
+    if (!spec || spec != entries_[i].spec || needs_rebuild(entries_[i].settings, settings.for_technique(*spec, lights[i].name))) return true;
+  }
+  return false;
+}
+
 void TechniqueSet::update(Session& session, const std::vector<std::string>& names) {
   const auto lights = session.frame().lights();
   std::vector<Entry> next(lights.size());

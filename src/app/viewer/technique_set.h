@@ -10,6 +10,8 @@ class TechniqueSet {
   // Builds again where a technique or a `rebuild` parameter changed; other changes take effect in the next frame. Throws Error where one
   // cannot be built: the old ones then stay.
   void update(Session& session, const std::vector<std::string>& names);
+  // Whether update to these would build something, which takes a while.
+  bool builds(std::span<const Light> lights, const std::vector<std::string>& names, const Settings& settings) const;
   void clear() { entries_.clear(), techniques_.clear(); }
 
   std::span<const std::unique_ptr<Technique>> techniques() const { return techniques_; }

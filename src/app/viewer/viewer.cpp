@@ -1,6 +1,7 @@
 #include "app/viewer/viewer.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -115,7 +116,7 @@ void Viewer::draw() {
   last_frame_ = now;
   screen_.fit_canvas();
 
-  ViewState next = state_;
+  ViewState next = building_.value_or(state_);
   interface_.begin_frame();
   handle_keys();
   state_panels_.before_panels(next, camera_, *session_, window_, static_cast<double>(seconds), message_);
@@ -134,6 +135,8 @@ void Viewer::draw() {
     outputs_.show(next, *session_);
     state_panels_.show(next, camera_, *session_, message_);
   }
+  const bool says_so = building_.has_value();
+  if (says_so) show_notice(fmt::format("building {} ...", fmt::join(building_->techniques, ", ")));
   if (opening_) show_progress(opening_->status(), opening_->share());
   sides_.show_divider();
   explain_.show_marks(*session_);
@@ -143,7 +146,7 @@ void Viewer::draw() {
   interface_.end_frame();
   const bool same_view = next.view.camera == state_.view.camera;
   if (const auto travelled = state_panels_.travel(state_)) next = *travelled;
-  if (!next.same_picture(state_)) apply(next);
+  follow(next);
   state_panels_.remember(state_);
   state_panels_.follow_camera(camera_, *session_);
   follow_size();
@@ -168,6 +171,10 @@ void Viewer::draw() {
   // Waiting for the screen is no work: it must not make the picture smaller.
   const std::chrono::duration<float, std::milli> work = std::chrono::steady_clock::now() - now;
   screen_.swapchain.present(screen_.canvas.image());
+  if (says_so) {
+    const ViewState built = *std::exchange(building_, std::nullopt);
+    if (!built.same_picture(state_)) apply(built);
+  }
   // A reference is for one size: while it is wanted, only a camera that moves changes it.
   if (!sides_.wants_reference() || !same_view) render_scale_.add_frame(work.count());
   guarded([&] { sides_.follow(*session_); });
@@ -230,6 +237,27 @@ void Viewer::guarded(const std::function<void()>& work) {
   } catch (const Error& error) {
     if (device_.validates() && error.code() == ExitCode::failure) throw;
     message_ = error.what();
+  }
+}
+
+// Changes count in this frame, unless something must be built for them: then the next frame says so, and they count behind it.
+void Viewer::follow(const ViewState& next) {
+  if (!building_ && !builds(next)) {
+    if (!next.same_picture(state_)) apply(next);
+  } else {
+    building_ = next;
+  }
+}
+
+bool Viewer::builds(const ViewState& next) const {
+  ViewState same_place = next;
+  same_place.view.camera = state_.view.camera;
+  if (same_place.same_picture(state_)) return false;
+  try {
+    const Settings settings = next.settings();
+    return session_->needs_new_frame(next.view, settings) || techniques_.builds(session_->frame().lights(), next.techniques, settings);
+  } catch (const Error&) {
+    return false;  // apply says what is wrong
   }
 }
 

@@ -56,6 +56,8 @@ class Viewer {
   void guarded(const std::function<void()>& work);
   void handle_keys();
   void move_camera(ViewState& state, float seconds);
+  void follow(const ViewState& next);
+  bool builds(const ViewState& next) const;
   void apply(const ViewState& next);
   uvec2 wanted_size() const;
   std::string command() const;  // `gnomon render ...` of the picture, without its output
@@ -87,6 +89,8 @@ class Viewer {
   bool recorder_separates_ = false;
   std::string message_;
   Sides sides_;
+  // To be shown behind the next frame: building it takes a while, and that frame says so.
+  std::optional<ViewState> building_;
   std::optional<Opening> opening_;
   std::optional<Opened> next_;
   ScenePanel scene_panel_;
