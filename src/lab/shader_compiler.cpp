@@ -41,7 +41,10 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
 
 }  // namespace
 
-ShaderTree ShaderTree::of_this_build() { return {GNOMON_SOURCE_DIR, GNOMON_GLSLC}; }
+ShaderTree ShaderTree::of_this_build() {
+  const char* elsewhere = std::getenv("GNOMON_SOURCE_TREE");
+  return {elsewhere && *elsewhere ? elsewhere : GNOMON_SOURCE_DIR, GNOMON_GLSLC};
+}
 
 std::string ShaderTree::unusable() const {
   if (!std::filesystem::is_directory(src())) return fmt::format("{}: the source tree of this program is not there", src().string());

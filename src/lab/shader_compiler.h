@@ -13,7 +13,7 @@ struct ShaderTree {
   std::filesystem::path root;  // holds src/
   std::filesystem::path compiler;
 
-  // What this program was built from, and with.
+  // What this program was built from, and with. The environment variable GNOMON_SOURCE_TREE names a copy of the tree to use instead.
   static ShaderTree of_this_build();
   std::filesystem::path src() const { return root / "src"; }
   // Empty where shaders can be compiled, else what is missing.

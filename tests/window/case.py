@@ -21,6 +21,10 @@ SMALL = ["--size", "640x400", "--scale", "0.4"]
 QUICK = [*SMALL, "--technique", "single/hard", "--set", "single.size=512"]
 
 
+# With room for the tools at the right, and a picture between them and the panel.
+WIDE = ["--size", "1100x640", "--scale", "0.25"]
+
+
 class WindowCase(unittest.TestCase):
     """Each test has a folder below OUTPUT, which stays when it fails: what the viewer wrote, and the screen at that moment."""
 
@@ -68,7 +72,7 @@ class WindowCase(unittest.TestCase):
         """Every test ends so: what validation has to say, it says with another exit code."""
         self.assertEqual(viewer.close(), OK, viewer.stderr())
 
-    def render(self, command, path):
+    def render(self, command, path, *more):
         """Runs the `gnomon render ...` that the viewer tells, with an output of our own. Returns the picture."""
         words = shlex.split(command)
         if "-o" in words:
@@ -76,7 +80,7 @@ class WindowCase(unittest.TestCase):
             del words[at:at + 2]
         self.assertEqual(words[:2], ["gnomon", "render"])
         words[0] = PROGRAM
-        done = subprocess.run([*words, "-o", str(path)], capture_output=True, text=True, timeout=120, cwd=self.folder, check=False)
+        done = subprocess.run([*words, *more, "-o", str(path)], capture_output=True, text=True, timeout=120, cwd=self.folder, check=False)
         self.assertEqual(done.returncode, OK, f"{command}\n{done.stderr}")
         return png.read(path)
 

@@ -42,6 +42,9 @@ class Desktop:
                 return window
         return None
 
+    def title(self, window):
+        return window.get_full_property(self.atom("_NET_WM_NAME"), self.atom("UTF8_STRING")).value.decode()
+
     # The window manager's part.
 
     def _ask_manager(self, window, name, data):

@@ -1,8 +1,38 @@
 """Files dragged from elsewhere onto the window."""
+import json
+import struct
 import unittest
 
 from case import QUICK, WindowCase
 from drop import DragSource
+
+
+def boxes_obj():
+    """A floor, and a box over it."""
+    lines = ["o floor", "v -4 0 -4", "v 4 0 -4", "v 4 0 4", "v -4 0 4", "f 4 3 2 1", "o box"]
+    lines += [f"v {x} {y} {z}" for z in (-1, 1) for y in (1, 2) for x in (-1, 1)]
+    for face in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)):
+        lines.append("f " + " ".join(str(5 + corner) for corner in face))
+    return "\n".join(lines) + "\n"
+
+
+def tile_glb():
+    """Two triangles as binary glTF."""
+    data = struct.pack("<12f", -1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    gltf = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, 0, -1], "max": [1, 0, 1]},
+                      {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+        "buffers": [{"byteLength": len(data)}],
+    }
+    text = json.dumps(gltf).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
 class Drop(WindowCase):
@@ -11,14 +41,73 @@ class Drop(WindowCase):
         self.source = DragSource(self.desktop)
         self.addCleanup(self.source.close)
 
-    def test_a_broken_file(self):
-        path = self.folder / "broken file.obj"  # with a blank, which the address of a file writes as %20
-        path.write_text("f 1 2 3\nv nonsense\n", encoding="utf-8")
-        viewer = self.open("chart/slab", *QUICK)
+    def drop(self, viewer, path):
         self.assertTrue(self.source.drop(viewer.window, [path], 500, 200))
-        viewer.frames(4)
-        self.assertIn("gnomon render chart/slab", viewer.status()["command"])
+
+    def test_files_and_the_list_of_the_recent_ones(self):
+        obj, glb = self.folder / "two boxes.obj", self.folder / "tile.glb"  # a blank: the address of a file writes it as %20
+        obj.write_text(boxes_obj(), encoding="utf-8")
+        glb.write_bytes(tile_glb())
+        viewer = self.open("chart/slab", *QUICK)
+        for path in (obj, glb):
+            self.drop(viewer, path)
+            viewer.until(lambda status, name=path.name: name in status["command"], f"a command that names {path.name}")
+            self.assertEqual(self.desktop.title(viewer.window), f"gnomon: {path}")
+            status = viewer.status()
+            self.assertEqual((status["message"], status["loading"]), ("", False))
+            self.assertIn("--technique single/hard", status["command"], "what was set stays")
+            self.assertIn("--set single.size=512", status["command"])
+        drawn = self.render(viewer.status()["command"], self.folder / "drawn.png")
+        self.assertGreater(len(set(zip(*[iter(drawn[2])] * 3))), 2, "the tile, not the sky alone")
+        viewer.click("scene")
+        listed = viewer.entries("scene")
+        self.assertIn(str(glb), listed)
+        viewer.press("Escape")
+        # The list is kept: another run has it, and opens a file from it.
         self.close(viewer)
+        viewer = self.open("chart/slab", *QUICK)
+        viewer.choose("scene", str(obj))
+        viewer.until(lambda status: obj.name in status["command"], "the file from the list")
+        viewer.choose("scene", "chart/sphere")
+        viewer.until(lambda status: "render chart/sphere" in status["command"], "a built-in scene")
+        self.close(viewer)
+
+    def test_progress(self):
+        """What takes a while is told, and the former scene answers meanwhile."""
+        viewer = self.open("chart/slab", *QUICK)
+        viewer.fill("scene_path", "town")
+        viewer.press("Return")
+        status = viewer.until(lambda status: status["loading"], "a scene that is being opened")
+        self.assertIn("render chart/slab", status["command"])
+        eye = status["camera"]
+        viewer.desktop.key("w", True)
+        moved = viewer.until(lambda status: status["camera"] != eye, "a step")
+        viewer.desktop.key("w", False)
+        self.assertIn("render chart/slab", moved["command"])
+        viewer.until(lambda status: "render town" in status["command"], "the town", 120)
+        self.close(viewer)
+
+    def test_what_cannot_be_opened(self):
+        path = self.folder / "broken file.obj"
+        path.write_text("v 0 0 0\nf 1 2 3\nv nonsense\n", encoding="utf-8")
+        strange = self.folder / "notes.txt"
+        strange.write_text("no scene", encoding="utf-8")
+        viewer = self.open("chart/slab", *QUICK)
+        self.drop(viewer, path)
+        said = viewer.until(lambda status: status["message"], "a message")["message"]
+        self.assertIn("broken file.obj:2", said, "the file, and the line")
+        self.drop(viewer, strange)
+        viewer.until(lambda status: "notes.txt" in status["message"], "what is wrong with the other file")
+        self.assertIn("gnomon render chart/slab", viewer.status()["command"])
+        viewer.hold("w")
+        self.drop(viewer, self.good_one())
+        viewer.until(lambda status: "good.obj" in status["command"] and not status["message"], "the good one")
+        self.close(viewer)
+
+    def good_one(self):
+        path = self.folder / "good.obj"
+        path.write_text(boxes_obj(), encoding="utf-8")
+        return path
 
 
 if __name__ == "__main__":

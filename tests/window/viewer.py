@@ -10,7 +10,14 @@ from desktop import WHEEL_DOWN, WHEEL_UP
 from display import end_with_parent, stop, wait_for
 
 PROGRAM = os.path.abspath(os.environ.get("GNOMON", "build/release/bin/gnomon"))
-LEFT, RIGHT = 1, 3
+LEFT, MIDDLE, RIGHT = 1, 2, 3
+
+
+def part(picture, left, top, right, bottom):
+    """A rectangle of a picture."""
+    width, _, data = picture
+    rows = [data[3 * (y * width + left):3 * (y * width + right)] for y in range(top, bottom)]
+    return right - left, bottom - top, b"".join(rows)
 
 
 def difference(one, other):
@@ -28,7 +35,9 @@ class Viewer:
         self.status_path = self.folder / "status.json"
         self.status_path.unlink(missing_ok=True)
         self.command = [PROGRAM, "view", *map(str, arguments)]
-        variables = {"GNOMON_VALIDATE": "1"} | display.environment() | {"GNOMON_VIEW_STATUS": str(self.status_path)} | (environment or {})
+        # The user's list of recent files is not touched.
+        own = {"GNOMON_VIEW_STATUS": str(self.status_path), "XDG_STATE_HOME": str(self.folder / "state")}
+        variables = {"GNOMON_VALIDATE": "1"} | display.environment() | own | (environment or {})
         with open(self.folder / "stdout", "wb") as out, open(self.folder / "stderr", "wb") as err:
             self.process = subprocess.Popen(self.command, stdout=out, stderr=err, cwd=runs_in or self.folder, env=variables,
                                             preexec_fn=end_with_parent)
@@ -69,8 +78,9 @@ class Viewer:
 
     def frames(self, count=2):
         """Frames that began after this call: of the next one, input may have been taken already."""
-        last = self.status()["frame"] + count
-        self.wait(lambda: self.status()["frame"] >= last, "frames")
+        first = self.status()["frame"]
+        # Another scene counts from the beginning.
+        self.wait(lambda: not first <= self.status()["frame"] < first + count, "frames")
 
     def until(self, condition, text, seconds=30):
         """Waits for a status for which `condition` holds. Returns it."""
@@ -163,12 +173,15 @@ class Viewer:
     # Widgets, by name.
 
     def rectangle(self, name):
-        """Of a widget; it is scrolled into view where it is somewhere else in the panel."""
+        """Of a widget; it is scrolled into view where it is somewhere else in the panel or among the tools."""
         if name in self.widgets():
             return self.widgets()[name]
-        panel = self.widgets()["panel"]
-        self.point((panel[0] + panel[2]) / 2, (panel[1] + panel[3]) / 2)
-        self.scroll_to(name)
+        for window in ("panel", "tools"):
+            if name in self.widgets() or window not in self.widgets():
+                continue
+            left, top, right, bottom = self.widgets()[window]
+            self.point((left + right) / 2, (top + bottom) / 2)
+            self.scroll_to(name)
         if name not in self.widgets():
             raise AssertionError(f"no widget '{name}' on screen; there are: {', '.join(sorted(self.widgets()))}")
         return self.widgets()[name]
@@ -208,6 +221,33 @@ class Viewer:
         self.frames()  # a list has its size from its second frame on
         return listed(self.status())
 
+    def section(self, title):
+        """Opens, or closes, one of those at the right."""
+        self.click(f"section:{title}")
+        self.frames()  # it has its size from the second frame on
+
+    def text(self, name):
+        """What a part of the interface says, or None where it is not shown."""
+        return self.status()["texts"].get(name)
+
+    def until_text(self, name, condition, seconds=30):
+        """Waits until a text is there for which `condition` holds. Returns it."""
+        status = self.until(lambda status: name in status["texts"] and condition(status["texts"][name]), f"the text '{name}'", seconds)
+        return status["texts"][name]
+
+    def fill(self, name, text):
+        """Replaces what is in a text field."""
+        self.click(name)
+        self.press("Control_L", "a")
+        self.type(text)
+
+    def double_click(self, x, y):
+        self.point(x, y)
+        for down in (True, False, True, False):
+            self.desktop.button(LEFT, down)
+            self.frames(1)
+        self.frames()
+
     def slide(self, name, share):
         """Drags a slider to a share of its way."""
         left, top, right, bottom = self.rectangle(name)
@@ -228,9 +268,9 @@ class Viewer:
 
     def search(self, text):
         """Leaves the parameters that contain a text. It replaces the one that was there."""
-        self.click("search")
-        self.press("Control_L", "a")
-        self.type(text) if text else self.press("Delete")
+        self.fill("search", text)
+        if not text:
+            self.press("Delete")
 
     # The picture, and the end.
 

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "app/viewer/screen_space.h"
+#include "app/viewer/status_file.h"
 #include "app/viewer/surface_pick.h"
 
 namespace gnomon::viewer {
@@ -22,6 +23,7 @@ void orbit(CameraRig& rig, Session& session, bool on) {
 bool CameraPanel::show(ViewState& state, CameraRig& rig, Session& session) {
   bool orbits = rig.orbits();
   if (ImGui::Checkbox("orbit (O, or Alt and drag)", &orbits)) orbit(rig, session, orbits);
+  note_widget("orbit");
   ImGui::TextDisabled("double-click: look at that point, orbit it");
   bool chosen = false;
   const auto& cameras = session.scene().cameras;
@@ -41,6 +43,7 @@ bool CameraPanel::show(ViewState& state, CameraRig& rig, Session& session) {
     ImGui::SameLine();
     if (ImGui::Selectable(fmt::format("saved {} (key {})", number, number).c_str()))
       chosen = saved_.recall(number, state) || chosen;
+    note_widget("saved", std::to_string(number));
     ImGui::PopID();
   }
   const int free = saved_.free_number();
@@ -67,6 +70,7 @@ bool CameraPanel::focus(CameraRig& rig, Session& session) {
 }
 
 void CameraPanel::show_centre(const CameraRig& rig, Session& session) const {
+  note_text("orbit", rig.orbits() ? "on" : "off");
   if (!rig.orbits() || !rig.centre()) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const auto at = ScreenSpace(session.frame().camera(), {size.x, size.y}).to_screen(*rig.centre());

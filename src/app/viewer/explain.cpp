@@ -9,6 +9,7 @@
 #include "app/viewer/legend.h"
 #include "app/viewer/light_lines.h"
 #include "app/viewer/section.h"
+#include "app/viewer/status_file.h"
 #include "base/error.h"
 
 namespace gnomon::viewer {
@@ -108,8 +109,11 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
     if (ImGui::BeginCombo("overlay (V)", overlay_title(options_.overlay))) {
       for (uint32_t overlay = 0; overlay < k_overlay_count; ++overlay) {
         if (ImGui::Selectable(overlay_title(overlay), overlay == options_.overlay)) options_.overlay = overlay;
+        note_widget("overlay", overlay_title(overlay));
       }
       ImGui::EndCombo();
+    } else {
+      note_widget("overlay");
     }
     if (options_.overlay != k_overlay_none) {
       ImGui::SliderFloat("opacity", &opacity_, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
@@ -120,14 +124,17 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
       }
     }
     ImGui::Checkbox("light's views (L)", &options_.lines);
+    note_widget("lines");
     bool hold = held_.has_value();
     if (options_.lines && (ImGui::SameLine(), ImGui::Checkbox("hold them", &hold))) {
       held_.reset();
       if (hold) held_ = Held{views_, session.frame().camera()};
     }
     ImGui::Checkbox("map (M)", &map_open_);
+    note_widget("map");
     ImGui::SameLine();
     ImGui::Checkbox("pick (P)", &pick_mode_);
+    note_widget("pick");
     remark("the middle button picks, too");
   }
   end_section();
@@ -135,6 +142,9 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
 
 void Explain::show_marks(Session& session) {
   handle_pick(session);
+  note_text("overlay", overlay_title(options_.overlay));
+  note_text("lines", options_.lines ? "on" : "off");
+  note_text("pick_mode", pick_mode_ ? "on" : "off");
   if (pick_mode_) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (place_) crosshair(*place_ * screen_size());
   if (!options_.lines) return;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/viewer/status_file.h"
 #include "lab/light_text.h"
 
 namespace gnomon::viewer {
@@ -92,6 +93,7 @@ bool LightGizmo::show_sun(Light& sun, const ScreenSpace& screen) {
   }
   list.AddLine(im(centre), im(centre - vec2(0, 0.25f * radius)), k_faint);  // the camera's way
   const vec2 at = place(azimuth, std::max(elevation, 0.0f));
+  note_point("sun_handle", at);
   const bool dragged = drags(Handle::sky, at, 11.0f * unit());
   list.AddLine(im(centre), im(at), IM_COL32(255, 220, 120, 120), 1.5f * unit());
   knob(list, at, 7.0f * unit(), dragged || hovered_ == Handle::sky ? k_hot : (elevation < 0.0f ? k_faint : k_mark));
@@ -118,6 +120,7 @@ bool LightGizmo::show_lamp(ListedLight& listed, const ScreenSpace& screen) {
   const WorldRay ray = screen.ray_at(mouse() - grip_px_);
   std::optional<vec3> new_place, new_target;
 
+  if (place) note_point("lamp_handle", *place);
   // Handles that lie on top are asked first.
   if (place && drags(Handle::place, *place, 9.0f * unit()))
     new_place = on_plane(light.position, screen.camera().forward_ws, ray);
@@ -128,6 +131,7 @@ bool LightGizmo::show_lamp(ListedLight& listed, const ScreenSpace& screen) {
     axis[i] = 1.0f;
     const auto tip = screen.to_screen(light.position + screen.metres(light.position, 70.0f * unit()) * axis);
     if (!tip || glm::length(*tip - *place) < 8.0f * unit()) continue;  // it points at the viewer
+    note_point(std::array{"arrow_x", "arrow_y", "arrow_z"}[static_cast<size_t>(i)], *tip);
     const Handle handle = std::array{Handle::x, Handle::y, Handle::z}[static_cast<size_t>(i)];
     // The whole arrow is its handle: what is nearest to the mouse on it.
     const bool near = distance_to_segment(mouse(), *place, *tip) < 6.0f * unit();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewer/status_file.h"
 #include "app/viewer/surface_pick.h"
 #include "lab/light_text.h"
 #include "scene/path.h"
@@ -65,6 +66,7 @@ void LightPanel::show(ViewState& state, Session& session) {
     name_[listed.light.name.copy(name_, sizeof name_ - 1)] = '\0';
   }
   ImGui::InputText("name", name_, sizeof name_);
+  note_widget("light_name");
   const bool renamed = ImGui::IsItemDeactivatedAfterEdit();
   if (!ImGui::IsItemActive()) named_ = ~size_t{0};  // as it is in the next frame
   if (renamed) listed.light.name = name_;
@@ -79,17 +81,21 @@ void LightPanel::list(ViewState& state, Session& session) {
     const Light& light = lights[i].light;
     const std::string label = fmt::format("{} ({})##light{}", light.name, light_kind_name(light.kind), i);
     if (ImGui::Selectable(label.c_str(), i == chosen_)) chosen_ = i;
+    note_widget("lights", light.name);
   }
   for (const auto& [label, kind] : {std::pair("+ sun", LightKind::directional), std::pair("+ point", LightKind::point),
                                     std::pair("+ spot", LightKind::spot), std::pair("+ projector", LightKind::projector)}) {
     if (kind != LightKind::directional) ImGui::SameLine();
-    if (!ImGui::SmallButton(label)) continue;
+    const bool clicked = ImGui::SmallButton(label);
+    note_widget("add_light", light_kind_name(kind));
+    if (!clicked) continue;
     add_light(state, session.chosen_lights(), new_light(kind, session));
     chosen_ = state.view.lights.size() - 1;
   }
   if (lights.size() > 1) {
     ImGui::SameLine();
     if (ImGui::SmallButton("remove")) remove_light(state, session.chosen_lights(), std::min(chosen_, lights.size() - 1));
+    note_widget("remove_light");
   }
 }
 
@@ -120,6 +126,7 @@ bool LightPanel::edit_sun(Light& sun, const Session& session) {
   auto azimuth = static_cast<float>(std::atan2(to_sun.x, -to_sun.z)) / k_degree;
   auto elevation = static_cast<float>(std::atan2(to_sun.y, std::hypot(to_sun.x, to_sun.z))) / k_degree;
   bool turned = ImGui::SliderFloat("azimuth [degree]", &azimuth, -180.0f, 180.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp);
+  note_widget("azimuth");
   turned = ImGui::SliderFloat("elevation [degree]", &elevation, -90.0f, 90.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp) || turned;
   if (turned) sun.direction = sun_direction(azimuth, elevation);
   if (session.scene().sun_paths.empty()) return turned;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/viewer/interface.h"
+#include "app/viewer/status_file.h"
 #include "gpu/pipeline_target.h"
 
 namespace gnomon::viewer {
@@ -71,6 +72,7 @@ void MapPane::show(const std::optional<ShadowMapView>& map, uint32_t& layer, boo
   shown_ = ImGui::Begin("shadow map", &open) && map;
   if (!map) ImGui::TextDisabled("this technique has no map");
   if (shown_) {
+    note_window("map_window");
     choose(*map, layer);
     show_picture(image_of(*map), ImGui::GetIO().DisplayFramebufferScale.x);
   }
@@ -120,6 +122,7 @@ void MapPane::show_picture(const Image& image, float scale) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   const vec2 pane(std::max(room.x, 32.0f), std::max(room.y - ImGui::GetTextLineHeightWithSpacing(), 32.0f));
   ImGui::InvisibleButton("map", {pane.x, pane.y});
+  note_widget("map_picture");
   const float whole = std::min(pane.x, pane.y) / size;
   const float zoom = zoom_ > 0.0f ? zoom_ : whole;
   if (zoom_ <= 0.0f) middle_ = vec2(0.5f);
@@ -151,7 +154,9 @@ void MapPane::show_picture(const Image& image, float scale) {
   const bool over = hovered && texel.x >= 0.0f && texel.y >= 0.0f && texel.x < size && texel.y < size;
   const MapProbe probe = probed_ ? this->probe() : MapProbe{};
   if (over && probed_ && texel_ == uvec2(texel)) {
-    ImGui::Text("texel %u, %u: %s", texel_.x, texel_.y, value_text(probe.value, kind).c_str());
+    const std::string text = fmt::format("texel {}, {}: {}", texel_.x, texel_.y, value_text(probe.value, kind));
+    ImGui::TextUnformatted(text.c_str());
+    note_text("texel", text);
   } else {
     ImGui::TextDisabled("%.0f x %.0f texels; wheel and drag", static_cast<double>(size), static_cast<double>(size));
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/viewer/section.h"
+#include "app/viewer/status_file.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -36,11 +37,14 @@ std::string mib(uint64_t bytes) { return fmt::format("{:.1f} MiB", static_cast<d
 void MeasurePanel::show(Timings& timings, bool& separate_passes, Session& session, const TechniqueSet& techniques) {
   if (begin_section("Measure") && !timings.frames().empty()) {
     if (ImGui::Button(timings.paused ? "Go on" : "Pause")) timings.paused = !timings.paused;
+    note_widget("pause");
     ImGui::SameLine();
     ImGui::Checkbox("separate the passes (full barriers)", &separate_passes);
+    note_widget("separate_passes");
     ImGui::TextWrapped("%zu frames, ms; %s", timings.frames().size(), timings.clock());
     if (const auto hovered = plot_.show(timings, k_plot_height)) one_frame(timings, timings.frames()[*hovered]);
     update_rows(timings);
+    note_text("plot", fmt::format("{} frames, {} rows{}", timings.frames().size(), rows_.size(), timings.paused ? ", paused" : ""));
     table();
     memory(session, techniques);
   }

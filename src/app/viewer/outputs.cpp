@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "app/viewer/section.h"
+#include "app/viewer/status_file.h"
 #include "base/log.h"
 #include "base/shell.h"
 #include "gpu/shader.h"
@@ -19,8 +20,10 @@ Outputs::Outputs(Device& device) : clip_(background_), comparison_({"--device", 
 void Outputs::show(const ViewState& next, const Session& session) {
   if (begin_section("Pictures, clips, reports")) {
     if (ImGui::Button("PNG (F12)")) want_picture(".png");
+    note_widget("picture_png");
     ImGui::SameLine();
     if (ImGui::Button("EXR, scene-linear")) want_picture(".exr");
+    note_widget("picture_exr");
     try {
       show_clip();
       show_comparison(next, session);
@@ -36,19 +39,24 @@ void Outputs::show_clip() {
   if (ImGui::Button(clip_.running() ? "Stop the clip" : "Record a clip")) {
     clip_.running() ? clip_.stop() : clip_.start(clip_name_, clip_seconds_);
   }
+  note_widget("clip");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(90.0f);
   ImGui::InputFloat("s (0: until stopped)", &clip_seconds_, 0.0f, 0.0f, "%.3g");
+  note_widget("clip_seconds");
   clip_seconds_ = std::max(clip_seconds_, 0.0f);
   ImGui::InputText("folder##clip", clip_name_, sizeof clip_name_);
   if (clip_.count() == 0) return;
   const size_t waiting = background_.waiting();
+  note_text("clip", fmt::format("{}, {} waiting", clip_.running() ? "running" : "stopped", waiting));
   ImGui::TextDisabled("%s: %u pictures, %.1f s; %zu to be written", clip_.folder().c_str(), clip_.count(), clip_.seconds(), waiting);
 }
 
 void Outputs::show_comparison(const ViewState& next, const Session& session) {
   ImGui::Separator();
   if (ImGui::Button("Add to comparison") && !comparison_.add(next)) message_ = "the comparison has this technique with these settings";
+  note_widget("add_to_comparison");
+  note_text("comparison", fmt::format("{} rows{}", comparison_.size(), comparison_.busy() ? ", busy" : ""));
   for (size_t row = 0; row < comparison_.size();) {
     ImGui::PushID(static_cast<int>(row));
     const bool goes = ImGui::SmallButton("x");
@@ -60,10 +68,12 @@ void Outputs::show_comparison(const ViewState& next, const Session& session) {
   if (comparison_.busy()) return show_progress();
   if (comparison_.size() == 0) return;
   if (ImGui::Button("Write report")) comparison_.write_report(next, session.options().size, free_name(report_name_));
+  note_widget("write_report");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(150.0f);
   ImGui::InputText("folder##report", report_name_, sizeof report_name_);
   if (!replaced_shaders().empty()) ImGui::TextWrapped("The report is of the shaders that were built, not of those changed since.");
+  note_text("report", comparison_.report().string());
   if (!comparison_.report().empty()) ImGui::TextWrapped("%s", comparison_.report().c_str());
 }
 

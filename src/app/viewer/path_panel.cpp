@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "app/viewer/light_list.h"
+#include "app/viewer/saved_cameras.h"
+#include "app/viewer/status_file.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "lab/path_file.h"
@@ -14,7 +16,7 @@ namespace gnomon::viewer {
 namespace {
 
 // Play, pause, scrub, loop, speed. True while it is scrubbed.
-bool show_playhead(Playhead& head) {
+bool show_playhead(const char* name, Playhead& head) {
   if (ImGui::Button(head.playing ? "pause" : "play", {4.0f * ImGui::GetFontSize(), 0.0f})) {
     if (head.playing) {
       head.playing = false;
@@ -22,6 +24,8 @@ bool show_playhead(Playhead& head) {
       head.play();
     }
   }
+  note_widget("play", name);
+  note_text(fmt::format("{}_path", name), fmt::format("{:.3f} of {:.3f} s{}", head.time_s, head.duration_s, head.playing ? ", plays" : ""));
   ImGui::SameLine();
   auto time = static_cast<float>(head.time_s);
   ImGui::SetNextItemWidth(-1.0f);
@@ -75,6 +79,7 @@ bool PathPanel::advance(ViewState& state, const Session& session, const CameraRi
   if (!camera_.advance(seconds) && !std::exchange(camera_scrubbed_, false)) return false;
   if (camera_path_ >= session.scene().camera_paths.size() + own_.size()) return false;
   const CameraPose pose = pose_at(path(session), camera_.time_s);
+  keep_lens(state, session);
   state.view.camera = camera_text(pose.eye, pose.target);
   return true;
 }
@@ -88,7 +93,7 @@ void PathPanel::show(const Session& session, const CameraRig& rig) {
     camera_path_ = std::min(camera_path_, names.size() - 1);
     choose("camera path", names, camera_path_, camera_);
     camera_.duration_s = duration_s(path(session));
-    camera_scrubbed_ = show_playhead(camera_);
+    camera_scrubbed_ = show_playhead("camera", camera_);
   }
   record(rig);
   files();
@@ -101,16 +106,19 @@ void PathPanel::show(const Session& session, const CameraRig& rig) {
   sun_path_ = std::min(sun_path_, names.size() - 1);
   choose("sun path", names, sun_path_, sun_);
   sun_.duration_s = session.scene().sun_paths[sun_path_].duration_s;
-  sun_scrubbed_ = show_playhead(sun_);
+  sun_scrubbed_ = show_playhead("sun", sun_);
   ImGui::PopID();
 }
 
 void PathPanel::record(const CameraRig& rig) {
   if (!recorder_.records()) {
     if (ImGui::Button("record a walk")) recorder_.start(pose_of(rig)), camera_.playing = false;
+    note_widget("record");
     return;
   }
-  if (!ImGui::Button(fmt::format("stop recording ({:.1f} s)###record", recorder_.time_s()).c_str())) return;
+  const bool stop = ImGui::Button(fmt::format("stop recording ({:.1f} s)###record", recorder_.time_s()).c_str());
+  note_widget("stop_recording");
+  if (!stop) return;
   auto walked = recorder_.stop(fmt::format("recording {}", recorded_ + 1));
   if (!walked) fail_usage("nothing was recorded: the camera did not move");
   ++recorded_;
@@ -122,6 +130,7 @@ void PathPanel::record(const CameraRig& rig) {
 void PathPanel::files() {
   ImGui::SetNextItemWidth(0.45f * ImGui::GetContentRegionAvail().x);
   ImGui::InputText("##file", file_, sizeof file_);
+  note_widget("path_file");
   ImGui::SameLine();
   if (ImGui::Button("load")) {
     own_.push_back(read_camera_path(file_));
@@ -135,6 +144,7 @@ void PathPanel::files() {
     write_file(file_, camera_path_text(own_.back()));
     done_ = fmt::format("wrote {}: gnomon render --frames N --path {}", file_, file_);
   }
+  note_widget("save_path");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("writes the last recorded or loaded path");
   if (!done_.empty()) ImGui::TextWrapped("%s", done_.c_str());
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/viewer/legend.h"
+#include "app/viewer/status_file.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -117,6 +118,9 @@ void show_pick_window(const Picked& picked, bool& open) {
   if (ImGui::Begin(fmt::format("pixel {}, {}: {}###pick", picked.pixel.x, picked.pixel.y, picked.technique).c_str(), &open)) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(reason_colour(facts, picked.reason.cause)));
     ImGui::TextWrapped("%s", picked.reason.text.c_str());
+    note_window("pick_window");
+    note_text("picked", fmt::format("{}, {}", picked.pixel.x, picked.pixel.y));
+    note_text("reason", picked.reason.text);
     ImGui::PopStyleColor();
     if (record.seen != 0 && ImGui::BeginTable("point", 2, ImGuiTableFlags_RowBg)) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 11.0f * ImGui::GetFontSize());

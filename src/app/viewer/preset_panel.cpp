@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "app/viewer/status_file.h"
 #include "app/viewer/view_preset.h"
 #include "base/file.h"
 
@@ -16,14 +17,18 @@ void PresetPanel::show(ViewState& state, uvec2 size) {
   builtin_ones(state);
   ImGui::SetNextItemWidth(0.45f * ImGui::GetContentRegionAvail().x);
   ImGui::InputText("##preset", file_, sizeof file_);
+  note_widget("preset_file");
   ImGui::SameLine();
-  if (ImGui::Button("load")) load(state, file_);
+  const bool loads = ImGui::Button("load");
+  note_widget("load_preset");
+  if (loads) load(state, file_);
   ImGui::SameLine();
   save(state, size);
   if (ImGui::Button("copy preset JSON")) {
     ImGui::SetClipboardText(preset_text(preset_of(state, size)).c_str());
     done_ = "copied: --preset reads it from a file";
   }
+  note_text("preset", done_);
   if (!done_.empty()) ImGui::TextWrapped("%s", done_.c_str());
 }
 
@@ -37,9 +42,14 @@ void PresetPanel::load(ViewState& state, const std::string& name) {
 
 void PresetPanel::builtin_ones(ViewState& state) {
   ImGui::SetNextItemWidth(-1.0f);
-  if (!ImGui::BeginCombo("##builtin", "built-in presets", ImGuiComboFlags_HeightLarge)) return;
+  if (!ImGui::BeginCombo("##builtin", "built-in presets", ImGuiComboFlags_HeightLarge)) {
+    note_widget("builtin_preset");
+    return;
+  }
   for (const Preset& preset : builtin_presets()) {
-    if (ImGui::Selectable(preset.name.c_str())) load(state, preset.name);
+    const bool chosen = ImGui::Selectable(preset.name.c_str());
+    note_widget("builtin_preset", preset.name);
+    if (chosen) load(state, preset.name);
     if (!ImGui::IsItemHovered()) continue;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30.0f);
@@ -54,7 +64,9 @@ void PresetPanel::builtin_ones(ViewState& state) {
 void PresetPanel::save(const ViewState& state, uvec2 size) {
   if (asks_ != file_) asks_.clear();  // another name was typed
   const bool replaces = !asks_.empty();
-  if (!ImGui::Button(replaces ? "replace it?###save" : "save###save")) return;
+  const bool clicked = ImGui::Button(replaces ? "replace it?###save" : "save###save");
+  note_widget("save_preset");
+  if (!clicked) return;
   if (!replaces && std::filesystem::exists(file_)) {
     asks_ = file_;
     done_ = fmt::format("{} exists; click again to replace it", file_);

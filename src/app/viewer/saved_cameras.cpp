@@ -1,5 +1,7 @@
 #include "app/viewer/saved_cameras.h"
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 
 namespace gnomon::viewer {
@@ -41,6 +43,13 @@ int SavedCameras::free_number() const {
 void choose_scene_camera(ViewState& state, const std::string& camera) {
   state.view.camera = camera;
   std::erase_if(state.edits, [](const auto& edit) { return of_lens(edit.first); });
+}
+
+void keep_lens(ViewState& state, const Session& session) {
+  if (session.camera().orthographic) return;
+  for (const char* name : {"vertical_fov", "near"}) {
+    state.edits.try_emplace(fmt::format("camera.{}", name), session.settings().block("camera").text(name));
+  }
 }
 
 }  // namespace gnomon::viewer

@@ -27,5 +27,7 @@ class SavedCameras {
 
 // Shows a camera of the scene with its own lens; `camera` as --camera reads it.
 void choose_scene_camera(ViewState& state, const std::string& camera);
+// A camera given as text has the lens of the settings: that of the camera which is left goes with it.
+void keep_lens(ViewState& state, const Session& session);
 
 }  // namespace gnomon::viewer

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "app/viewer/status_file.h"
 #include "scene/load.h"
 
 namespace gnomon::viewer {
@@ -14,17 +15,22 @@ std::optional<std::string> ScenePanel::show(const std::string& shown_scene, cons
   if (ImGui::BeginCombo("##scene", shown_scene.c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const BuiltinScene& scene : builtin_scenes()) {
       if (ImGui::Selectable(scene.name.c_str(), scene.name == shown_scene)) wanted = scene.name;
+      note_widget("scene", scene.name);
       if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", scene.summary.c_str());
     }
     if (!recent.paths().empty()) ImGui::Separator();
     for (const std::string& path : recent.paths()) {
       if (ImGui::Selectable(path.c_str(), path == shown_scene)) wanted = path;
+      note_widget("scene", path);
     }
     ImGui::EndCombo();
+  } else {
+    note_widget("scene");
   }
   ImGui::SetNextItemWidth(-1.0f);
   const bool entered = ImGui::InputTextWithHint("##path", "path of an .obj, .gltf or .glb, or drop one here", path_, sizeof path_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
+  note_widget("scene_path");
   if (entered && path_[0]) wanted = path_;
   return wanted;
 }

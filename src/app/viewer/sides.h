@@ -38,7 +38,8 @@ class Sides {
 
   // Share of the window's width that belongs to the first side.
   float divider() const;
-  void flip() { flipped_ = !flipped_; }
+  // The other picture, whole; from a split picture the second one.
+  void flip() { flipped_ = !flip_mode_ || !flipped_, flip_mode_ = true; }
   void toggle_error() { error_ = !error_; }
   // The session's frame is made again: nothing of the old one may be held.
   void forget() { techniques_.clear(), second_key_.clear(), score_ = {}, reference_.reset(); }

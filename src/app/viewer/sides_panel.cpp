@@ -3,40 +3,55 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "app/viewer/sides.h"
+#include "app/viewer/status_file.h"
 
 namespace gnomon::viewer {
 
 void Sides::show(ViewState& state, const Session& session, size_t light) {
   if (light != light_) score_ = {}, settling_ = std::max(settling_, 1);
   light_ = std::min(light, session.chosen_lights().size() - 1);
-  int second = static_cast<int>(second_);
+  const int second = static_cast<int>(second_);
   ImGui::SetNextItemWidth(0.6f * ImGui::GetContentRegionAvail().x);
-  if (ImGui::Combo("second side", &second, "none\0other settings\0reference\0")) {
-    second_ = static_cast<SecondSide>(second);
-    second_key_.clear();
+  constexpr std::array<const char*, 3> k_names = {"none", "other settings", "reference"};
+  if (ImGui::BeginCombo("second side", k_names[static_cast<size_t>(second)])) {
+    for (int i = 0; i < static_cast<int>(k_names.size()); ++i) {
+      const char* name = k_names[static_cast<size_t>(i)];
+      if (ImGui::Selectable(name, i == second)) second_ = static_cast<SecondSide>(i), second_key_.clear();
+      note_widget("second_side", name);
+    }
+    ImGui::EndCombo();
+  } else {
+    note_widget("second_side");
   }
   if (second_ != SecondSide::none) {
     int flips = flip_mode_;
     ImGui::RadioButton("split", &flips, 0);
+    note_widget("split");
     ImGui::SameLine();
     ImGui::RadioButton("flip (B)", &flips, 1);
+    note_widget("flip");
     flip_mode_ = flips != 0;
   }
   if (second_ == SecondSide::settings) {
     if (ImGui::Button("second as first")) other_ = state;
+    note_widget("second_as_first");
     ImGui::SameLine();
     if (ImGui::Button("exchange")) {
       ViewState first = second_state(state);
       other_ = std::exchange(state, std::move(first));
       techniques_.clear();
     }
+    note_widget("exchange");
   }
   ImGui::Checkbox("error over the picture (X)", &error_);
+  note_widget("error");
   ImGui::SameLine();
   ImGui::Checkbox("scores", &scores_);
+  note_widget("scores");
   if (!wants_reference()) return;
   show_reference();
   show_scores();
@@ -48,6 +63,7 @@ void Sides::show_reference() const {
                            : answer                   ? fmt::format("{} of {} rays", answer->samples, reference_->samples())
                                                       : std::string("waits for a still view");
   const double share = answer && answer->complete ? 1.0 : reference_ ? reference_->share() : 0.0;
+  note_text("reference", text);
   ImGui::ProgressBar(static_cast<float>(share), {-1.0f, 0.0f}, fmt::format("reference: {}", text).c_str());
 }
 
@@ -66,6 +82,9 @@ void Sides::show_scores() const {
       if (score) ImGui::Text(format, factor * value(score->error));
     }
   };
+  for (size_t side = 0; side < score_.size(); ++side) {
+    if (score_[side]) note_text(side == 0 ? "mae.first" : "mae.second", fmt::format("{}", score_[side]->error.mae));
+  }
   row("mean error (mae)", "%.4f", 1.0, [](const VisibilityError& e) { return e.mae; });
   row("rmse", "%.4f", 1.0, [](const VisibilityError& e) { return e.rmse; });
   row("false shadow, area", "%.2f %%", 100.0, [](const VisibilityError& e) { return e.false_shadow.area; });
@@ -77,6 +96,7 @@ void Sides::show_scores() const {
 
 void Sides::show_divider() {
   if (second_ == SecondSide::none) return;
+  note_text("sides", fmt::format("{} | {}{}", names_[0], names_[1], flip_mode_ ? (flipped_ ? ", second" : ", first") : ""));
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImDrawList* lines = ImGui::GetBackgroundDrawList();
   const auto label = [&](const std::string& text, float x, bool before) {
@@ -98,6 +118,7 @@ void Sides::show_divider() {
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
   if (ImGui::Begin("##divider", nullptr, k_bare)) {
     ImGui::InvisibleButton("grip", {2.0f * k_grip, screen.y});
+    note_widget("divider");
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive()) divider_ = std::clamp(ImGui::GetIO().MousePos.x / screen.x, 0.02f, 0.98f);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/viewer/section.h"
+#include "app/viewer/status_file.h"
 #include "base/error.h"
 
 namespace gnomon::viewer {
@@ -35,6 +36,7 @@ void StatePanels::before_panels(ViewState& state, CameraRig& rig, Session& sessi
     camera_placed_ = cameras_.keys(state, rig, session, window) || camera_placed_;
   }
   if (ImGui::IsMouseDoubleClicked(0) && !io.WantCaptureMouse && !has_mouse() && cameras_.focus(rig, session)) {
+    keep_lens(state, session);
     state.view.camera = rig.camera().text();
     user_moves_camera();
   }
@@ -57,8 +59,10 @@ void StatePanels::show(ViewState& state, CameraRig& rig, Session& session, std::
       return clicked;
     };
     wants_undo_ = button("undo (Ctrl+Z)", history_.can_undo()) || wants_undo_;
+    note_widget("undo");
     ImGui::SameLine();
     wants_redo_ = button("redo (Ctrl+Y)", history_.can_redo()) || wants_redo_;
+    note_widget("redo");
     attempt(message, [&] { presets_.show(state, session.options().size); });
   }
   end_section();

@@ -35,7 +35,8 @@ void StatusFile::write(const ViewStatus& status) {
                                {"message", status.message},
                                {"vsync", status.vsync},
                                {"loading", status.loading},
-                               {"widgets", std::exchange(widgets_, nlohmann::json::object())}};
+                               {"widgets", std::exchange(widgets_, nlohmann::json::object())},
+                               {"texts", std::exchange(texts_, nlohmann::json::object())}};
   write_file(path_, json.dump(1));
 }
 
@@ -57,6 +58,14 @@ void note_window(std::string_view name) {
   if (!file_in_use) return;
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   note_area(name, {}, {at.x, at.y}, {at.x + size.x, at.y + size.y});
+}
+
+void note_point(std::string_view name, vec2 at_px) {
+  if (file_in_use) note_area(name, {}, at_px - 2.0f, at_px + 2.0f);
+}
+
+void note_text(std::string_view name, std::string_view text) {
+  if (file_in_use) file_in_use->texts_[std::string(name)] = text;
 }
 
 }  // namespace gnomon::viewer

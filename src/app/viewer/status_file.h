@@ -28,14 +28,15 @@ class StatusFile {
   StatusFile& operator=(const StatusFile&) = delete;
 
   bool on() const { return !path_.empty(); }
-  // At the end of a frame: `status`, the number of the frame, and the widgets noted since the last one.
+  // At the end of a frame: `status`, the number of the frame, and the widgets and texts noted since the last one.
   void write(const ViewStatus& status);
 
  private:
   friend void note_area(std::string_view name, std::string_view part, vec2 min_px, vec2 max_px);
+  friend void note_text(std::string_view name, std::string_view text);
 
   std::filesystem::path path_;
-  nlohmann::json widgets_ = nlohmann::json::object();
+  nlohmann::json widgets_ = nlohmann::json::object(), texts_ = nlohmann::json::object();
   uint64_t frame_ = 0;
 };
 
@@ -44,5 +45,9 @@ class StatusFile {
 void note_widget(std::string_view name, std::string_view part = {});
 // Between ImGui's Begin and End: the whole window's rectangle.
 void note_window(std::string_view name);
+// A handle that is drawn over the picture.
+void note_point(std::string_view name, vec2 at_px);
+// What a part of the interface says, for "texts" of the file.
+void note_text(std::string_view name, std::string_view text);
 
 }  // namespace gnomon::viewer

@@ -217,12 +217,7 @@ void Viewer::move_camera(ViewState& state, float seconds) {
   if (!interface_.takes_mouse()) input.wheel = interface_.wheel();
   if (!camera_.update(input, seconds)) return;
   state_panels_.user_moves_camera();
-  // A camera given as text has the lens of the settings: that of the scene's camera goes with it.
-  if (!session_->camera().orthographic) {
-    for (const char* name : {"vertical_fov", "near"}) {
-      state.edits.try_emplace(fmt::format("camera.{}", name), session_->settings().block("camera").text(name));
-    }
-  }
+  keep_lens(state, *session_);
   state.view.camera = camera_.camera().text();
 }
 

@@ -1,0 +1,106 @@
+"""Overlays, picked pixels, the map and the light's views; and keys that type while a field has them."""
+import unittest
+
+from case import WIDE, WindowCase
+from viewer import MIDDLE, difference, part
+
+BETWEEN = (380, 10, 570, 400)  # of the window: no panel is there
+
+
+class Explain(WindowCase):
+    def setUp(self):
+        super().setUp()
+        self.viewer = self.open("courtyard", *WIDE, "--technique", "cascaded/pcf", "--set", "cascaded.size=256")
+
+    def seen(self):
+        self.viewer.frames(3)
+        return part(self.viewer.picture(), *BETWEEN)
+
+    def test_overlays(self):
+        viewer, plain = self.viewer, self.seen()
+        viewer.press("v")
+        viewer.until_text("overlay", lambda text: text.startswith("layers"))
+        layers = self.seen()
+        self.assertGreater(difference(layers, plain), 5.0)
+        viewer.press("v")
+        viewer.until_text("overlay", lambda text: text == "texel grid")
+        self.assertGreater(difference(self.seen(), layers), 5.0)
+        viewer.section("Explain") if "overlay" not in viewer.widgets() else None
+        for title in ("pixels per texel", "casters and receivers", "overdraw", "no overlay"):
+            viewer.choose("overlay", title)
+            viewer.until_text("overlay", lambda text, title=title: text == title)
+            (self.assertLess if title == "no overlay" else self.assertGreater)(difference(self.seen(), plain), 2.0, title)
+        viewer.press("l")
+        viewer.until_text("lines", lambda text: text == "on")
+        self.assertGreater(difference(self.seen(), plain), 1.0)
+        viewer.click("lines")
+        viewer.until_text("lines", lambda text: text == "off")
+        # The picture that is told is without any of this.
+        self.assertNotIn("overlay", viewer.status()["command"])
+        self.close(viewer)
+
+    def test_pick(self):
+        viewer = self.viewer
+        viewer.click_at(480, 420, MIDDLE)
+        picked = viewer.until_text("picked", lambda _: True)
+        x, y = (int(number) for number in picked.split(", "))
+        self.assertEqual((x, y), (480 // 4, 420 // 4))
+        self.assertGreater(len(viewer.until_text("reason", lambda text: "not yet" not in text)), 10)
+        self.assertIn("pick_window", viewer.widgets())
+        before = viewer.status()["camera"]
+        viewer.press("p")
+        viewer.until_text("pick_mode", lambda text: text == "on")
+        viewer.click_at(420, 300)
+        viewer.until_text("picked", lambda text: text == f"{420 // 4}, {300 // 4}")
+        viewer.until_text("pick_mode", lambda text: text == "off")
+        viewer.click_at(480, 420)
+        self.assertEqual(viewer.text("picked"), f"{420 // 4}, {300 // 4}", "a click alone picks nothing")
+        self.assertEqual(viewer.status()["camera"], before)
+        # The sky has a reason, too; and another technique another title, not an end.
+        viewer.click_at(480, 12, MIDDLE)
+        viewer.until_text("reason", lambda text: len(text) > 3)
+        viewer.choose("technique", "ray_traced")
+        viewer.until_command("--technique ray_traced")
+        viewer.click_at(480, 420, MIDDLE)
+        viewer.until_text("reason", lambda text: len(text) > 3)
+        self.close(viewer)
+
+    def test_map(self):
+        viewer = self.viewer
+        viewer.press("m")
+        viewer.until(lambda status: "map_window" in status["widgets"], "the map")
+        viewer.frames(3)
+        viewer.point(*viewer.middle("map_picture"))
+        self.assertRegex(viewer.until_text("texel", lambda _: True), r"^texel \d+, \d+: (no caster|0\.\d+)")
+        viewer.choose("technique", "cascaded/vsm")
+        viewer.until_command("--technique cascaded/vsm", seconds=120)
+        viewer.frames(3)
+        viewer.choose("technique", "ray_traced")  # has none
+        viewer.until_command("--technique ray_traced")
+        viewer.until(lambda status: "map_window" not in status["widgets"], "no map")
+        viewer.press("m")
+        viewer.frames(3)
+        self.close(viewer)
+
+    def test_keys_type_in_a_field(self):
+        viewer = self.viewer
+        before = viewer.status()
+        viewer.search("vxbolmp123")
+        viewer.frames(4)
+        status = viewer.status()
+        self.assertEqual(status["camera"], before["camera"])
+        self.assertEqual(status["command"], before["command"])
+        texts = status["texts"]
+        self.assertEqual([texts[name] for name in ("overlay", "lines", "pick_mode", "orbit")], ["no overlay", "off", "off", "off"])
+        self.assertNotIn("map_window", status["widgets"])
+        self.assertNotIn("reference", texts)
+        viewer.press("Control_L", "z")  # the field's own
+        self.assertEqual(viewer.status()["command"], before["command"])
+        viewer.press("Escape")
+        viewer.press("o")
+        viewer.until_text("orbit", lambda text: text == "on")
+        self.close(viewer)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
