@@ -37,7 +37,7 @@ class DragSource:
             connection.sync()
             return False
         self._send(target, "XdndDrop", [0, X.CurrentTime])
-        return bool(self._answer("XdndFinished")[1] & 1)
+        return bool(self._answer("XdndFinished")[1])  # GLFW 3.3 writes a number of bytes where the protocol has one bit
 
     def _send(self, target, name, data):
         values = [self.window.id, *data]

@@ -36,6 +36,7 @@ bool show_playhead(const char* name, Playhead& head) {
   ImGui::SliderFloat("speed", &head.speed, 0.05f, 8.0f, "%.2f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
   ImGui::SameLine();
   ImGui::Checkbox("loop", &head.loops);
+  note_widget("loop", name);
   return scrubbed;
 }
 
