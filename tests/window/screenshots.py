@@ -7,14 +7,16 @@ import tempfile
 
 from desktop import Desktop
 from display import Display
-from viewer import Viewer
+from viewer import MIDDLE, Viewer
 
 WINDOW = ["--size", "800x500"]
+# With room for the tools at the right.
+WIDE = ["--size", "1060x600"]
 
 
 def window(viewer):
-    """The whole: a scene, and the panel on it."""
-    viewer.point(600, 300)
+    """The whole: a scene, the panel and the tools on it."""
+    viewer.point(480, 560)
 
 
 def techniques(viewer):
@@ -30,26 +32,60 @@ def parameters(viewer):
     viewer.point(*viewer.middle("pcf.taps"))
 
 
-def cost(viewer):
-    viewer.search("exposure")  # all parameters would take the room
-    viewer.click("separate_passes")
-    viewer.point(600, 300)
+def compare(viewer):
+    """Two techniques, the error of both, and their scores."""
+    viewer.search("no parameter")
+    viewer.click("scores")
+    viewer.until_text("reference", lambda text: text.endswith("rays") and " of " not in text, 300)
+    viewer.until_text("mae.second", lambda _: True)
+    viewer.drag(viewer.middle("divider"), (500, 400))
+    viewer.point(480, 560)
+
+
+def explain(viewer):
+    """A tint for each cascade, and why a pixel is dark."""
+    viewer.search("no parameter")
+    viewer.click_at(477, 420, MIDDLE)
+    viewer.until_text("reason", lambda text: "not yet" not in text, 120)
+    viewer.press("m")
     viewer.frames(12)
+    viewer.point(480, 60)
+
+
+def lights(viewer):
+    """A lamp that was added, with its handles."""
+    viewer.search("no parameter")
+    viewer.section("Lights")
+    viewer.click("add_light:point")
+    x, y = viewer.middle("arrow_y")
+    viewer.drag((x, y), (x, y - 30))
+    viewer.point(420, 560)
+
+
+def measure(viewer):
+    viewer.search("no parameter")
+    viewer.section("Measure")
+    viewer.click("separate_passes")
+    viewer.point(480, 560)
+    viewer.frames(80)
 
 
 # Name of the picture -> what is done before it is taken, and how the viewer is started.
 PICTURES = {
-    "window": (window, ["courtyard", "--technique", "cascaded/pcf"]),
-    "techniques": (techniques, ["courtyard", "--technique", "single/pcf"]),
-    "parameters": (parameters, ["courtyard", "--camera", "detail", "--technique", "single/pcf"]),
-    "cost": (cost, ["courtyard", "--technique", "single/vsm"]),
+    "window": (window, ["courtyard", "--technique", "cascaded/pcf", *WIDE]),
+    "techniques": (techniques, ["courtyard", "--technique", "single/pcf", *WINDOW]),
+    "parameters": (parameters, ["courtyard", "--camera", "detail", "--technique", "single/pcf", *WINDOW]),
+    "compare": (compare, ["courtyard", "--technique", "single/hard", "--split", "cascaded/pcss", "--error", "--scale", "0.5", *WIDE]),
+    "explain": (explain, ["courtyard", "--technique", "cascaded/hard", "--overlay", "layers", "--scale", "1", *WIDE]),
+    "lights": (lights, ["courtyard", "--technique", "single/pcf,cube/pcf", "--scale", "0.75", *WIDE]),
+    "measure": (measure, ["courtyard", "--technique", "single/vsm", "--scale", "0.35", *WIDE]),
 }
 
 
 def take(display, desktop, name, output):
     prepare, arguments = PICTURES[name]
     with tempfile.TemporaryDirectory() as folder:
-        viewer = Viewer(display, desktop, folder, *arguments, *WINDOW)
+        viewer = Viewer(display, desktop, folder, *arguments)
         try:
             viewer.open()
             prepare(viewer)

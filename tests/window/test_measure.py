@@ -1,5 +1,6 @@
 """The plot of times, clips, and a report of what was collected."""
 import json
+import pathlib
 import re
 import unittest
 
@@ -60,7 +61,7 @@ class Measure(WindowCase):
         viewer.until_text("comparison", lambda text: text == "2 rows")
         viewer.click("write_report")
         report = viewer.until_text("report", lambda text: text.endswith("report.html"), 240)
-        self.assertIn("<html", open(report, encoding="utf-8").read())
+        self.assertIn("<html", pathlib.Path(report).read_text(encoding="utf-8"))
         lines = (self.folder / report).parent.joinpath("results.jsonl").read_text(encoding="utf-8").splitlines()
         rows = [json.loads(line) for line in lines]
         self.assertEqual(len(rows), 2)

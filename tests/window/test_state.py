@@ -4,7 +4,7 @@ import math
 import unittest
 
 from case import WIDE, WindowCase, camera, png
-from viewer import LEFT, difference
+from viewer import difference
 
 # A scene of few triangles: its frames are short.
 SPHERE = [*WIDE, "--technique", "single/pcf", "--set", "single.size=256"]
@@ -154,8 +154,8 @@ class State(WindowCase):
         viewer.until(lambda status: status["camera"] == start, "the saved camera")
         # Looking at a point turns the view, and does not change its lens.
         before = viewer.picture()
-        viewer.double_click(480, 330)
-        status = viewer.until(lambda status: status["camera"] != start, "another direction")
+        viewer.double_click(480, 330, lambda status: status["camera"] != start)
+        status = viewer.status()
         (eye, _), (eye_before, _) = camera(status), (self.numbers(start))
         self.assertLess(distance(eye, eye_before), 1e-3)
         self.assertIn("--set camera.vertical_fov=", status["command"])
