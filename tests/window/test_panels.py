@@ -118,14 +118,6 @@ class Panels(WindowCase):
         viewer.until_command("--set single.size=256", without=["vsm.", "cascaded."])
         self.close(viewer)
 
-    def test_separate_passes(self):
-        viewer = self.open(SCENE, *PCF)
-        viewer.click("separate_passes")
-        viewer.frames(4)
-        viewer.click("separate_passes")
-        viewer.frames(4)
-        self.close(viewer)
-
     def test_each_light_has_its_technique(self):
         viewer = self.open("lamps", *SMALL, "--light", "all", "--technique", "single/hard,cube/hard")
         lights = self.light_names(viewer)
