@@ -72,7 +72,7 @@ def measure(viewer):
 
 # Name of the picture -> what is done before it is taken, and how the viewer is started.
 PICTURES = {
-    "window": (window, ["courtyard", "--technique", "cascaded/pcf", *WIDE]),
+    "window": (window, ["courtyard", "--technique", "cascaded/pcf", "--scale", "1", *WIDE]),
     "techniques": (techniques, ["courtyard", "--technique", "single/pcf", *WINDOW]),
     "parameters": (parameters, ["courtyard", "--camera", "detail", "--technique", "single/pcf", *WINDOW]),
     "compare": (compare, ["courtyard", "--technique", "single/hard", "--split", "cascaded/pcss", "--error", "--scale", "0.5", *WIDE]),

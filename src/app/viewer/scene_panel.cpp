@@ -28,7 +28,7 @@ std::optional<std::string> ScenePanel::show(const std::string& shown_scene, cons
     note_widget("scene");
   }
   ImGui::SetNextItemWidth(-1.0f);
-  const bool entered = ImGui::InputTextWithHint("##path", "path of an .obj, .gltf or .glb, or drop one here", path_, sizeof path_,
+  const bool entered = ImGui::InputTextWithHint("##path", "path of an .obj, .gltf, .glb; or drop one", path_, sizeof path_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   note_widget("scene_path");
   if (entered && path_[0]) wanted = path_;
