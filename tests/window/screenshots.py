@@ -47,8 +47,6 @@ def explain(viewer):
     viewer.search("no parameter")
     viewer.click_at(477, 420, MIDDLE)
     viewer.until_text("reason", lambda text: "not yet" not in text, 120)
-    viewer.press("m")
-    viewer.frames(12)
     viewer.point(480, 60)
 
 
@@ -58,7 +56,7 @@ def lights(viewer):
     viewer.section("Lights")
     viewer.click("add_light:point")
     x, y = viewer.middle("arrow_y")
-    viewer.drag((x, y), (x, y - 30))
+    viewer.drag((x, y), (x, y + 40))
     viewer.point(420, 560)
 
 
@@ -67,7 +65,7 @@ def measure(viewer):
     viewer.section("Measure")
     viewer.click("separate_passes")
     viewer.point(480, 560)
-    viewer.frames(80)
+    viewer.frames(40)
 
 
 # Name of the picture -> what is done before it is taken, and how the viewer is started.
@@ -76,7 +74,7 @@ PICTURES = {
     "techniques": (techniques, ["courtyard", "--technique", "single/pcf", *WINDOW]),
     "parameters": (parameters, ["courtyard", "--camera", "detail", "--technique", "single/pcf", *WINDOW]),
     "compare": (compare, ["courtyard", "--technique", "single/hard", "--split", "cascaded/pcss", "--error", "--scale", "0.5", *WIDE]),
-    "explain": (explain, ["courtyard", "--technique", "cascaded/hard", "--overlay", "layers", "--scale", "1", *WIDE]),
+    "explain": (explain, ["courtyard", "--technique", "cascaded/hard", "--overlay", "layers", "--scale", "0.5", *WIDE]),
     "lights": (lights, ["courtyard", "--technique", "single/pcf,cube/pcf", "--scale", "0.75", *WIDE]),
     "measure": (measure, ["courtyard", "--technique", "single/vsm", "--scale", "0.35", *WIDE]),
 }
@@ -92,8 +90,8 @@ def take(display, desktop, name, output):
             viewer.frames(3)
             path = pathlib.Path(folder) / f"{name}.png"
             desktop.save_picture(path, viewer.window)
-            # 256 colours are enough for a document, and a third of the size.
-            subprocess.run(["pngquant", "--force", "--speed", "1", "--output", str(output / f"{name}.png"), str(path)], check=True)
+            # So many colours are enough for a document, and a quarter of the size.
+            subprocess.run(["pngquant", "--force", "--speed", "1", "--output", str(output / f"{name}.png"), "96", str(path)], check=True)
             if viewer.close():
                 raise AssertionError(viewer.stderr())
         finally:

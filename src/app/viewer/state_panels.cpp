@@ -26,8 +26,9 @@ void attempt(std::string& message, const Do& action) {
 
 void StatePanels::before_panels(ViewState& state, CameraRig& rig, Session& session, const Window& window, double seconds, std::string& message) {
   now_s_ += seconds;
-  history_.tick(now_s_, ImGui::IsAnyMouseDown());
   const ImGuiIO& io = ImGui::GetIO();
+  // A number that is being typed counts digit by digit: one step, as a drag is.
+  history_.tick(now_s_, ImGui::IsAnyMouseDown() || io.WantTextInput);
   if (!io.WantTextInput) {
     const bool shift = window.held(GLFW_KEY_LEFT_SHIFT) || window.held(GLFW_KEY_RIGHT_SHIFT);
     const bool z = window.control_held() && window.pressed(GLFW_KEY_Z), y = window.control_held() && window.pressed(GLFW_KEY_Y);
