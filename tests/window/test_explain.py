@@ -36,6 +36,9 @@ class Explain(WindowCase):
         self.assertGreater(difference(self.seen(), plain), 1.0)
         viewer.click("lines")
         viewer.until_text("lines", lambda text: text == "off")
+        viewer.press("F1")  # keys work without the panels, too
+        viewer.press("v")
+        viewer.until_text("overlay", lambda text: text.startswith("layers"))
         # The picture that is told is without any of this.
         self.assertNotIn("overlay", viewer.status()["command"])
         self.close(viewer)

@@ -58,9 +58,8 @@ uvec2 Explain::pixel(const Session& session) const {
   return glm::min(uvec2(*place_ * vec2(session.options().size)), session.options().size - 1u);
 }
 
-void Explain::show(const Window& window, Session& session, const TechniqueSet& techniques) {
+void Explain::show(Session& session, const TechniqueSet& techniques) {
   light_ = std::min(light_, session.frame().lights().size() - 1);
-  handle_keys(window);
   panel(session, techniques);
   if (picked_) {
     bool open = true;

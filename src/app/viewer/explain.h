@@ -29,8 +29,10 @@ class Explain {
   // `render_pass`: that the interface is drawn in.
   Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options);
 
-  // Keys, panel and windows, while the interface's frame is written.
-  void show(const Window& window, Session& session, const TechniqueSet& techniques);
+  // Once a frame, whether panels are shown or not.
+  void handle_keys(const Window& window);
+  // Panel and windows, while the interface's frame is written.
+  void show(Session& session, const TechniqueSet& techniques);
   // Crosshair and lines, which stay when the panels are hidden.
   void show_marks(Session& session);
   // Behind Session::record_frame.
@@ -46,7 +48,6 @@ class Explain {
     CameraData camera;
   };
 
-  void handle_keys(const Window& window);
   void handle_pick(Session& session);
   void panel(Session& session, const TechniqueSet& techniques);
   uvec2 pixel(const Session& session) const;

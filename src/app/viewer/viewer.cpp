@@ -119,6 +119,7 @@ void Viewer::draw() {
   ViewState next = building_.value_or(state_);
   interface_.begin_frame();
   handle_keys();
+  explain_.handle_keys(window_);
   state_panels_.before_panels(next, camera_, *session_, window_, static_cast<double>(seconds), message_);
   move_camera(next, std::min(seconds, k_longest_step_s));
   panels_.set_speed(camera_.camera().speed());
@@ -130,7 +131,7 @@ void Viewer::draw() {
     panels_.show(next, wishes_, *session_, techniques_);
     if (begin_section("Compare", options_.sides.second != SecondSide::none || options_.sides.error)) sides_.show(next, *session_, panels_.light());
     end_section();
-    explain_.show(window_, *session_, techniques_);
+    explain_.show(*session_, techniques_);
     measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
     outputs_.show(next, *session_);
     state_panels_.show(next, camera_, *session_, message_);
