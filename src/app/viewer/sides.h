@@ -39,7 +39,9 @@ class Sides {
   // Share of the window's width that belongs to the first side.
   float divider() const;
   // The other picture, whole; from a split picture the second one.
-  void flip() { flipped_ = !flip_mode_ || !flipped_, flip_mode_ = true; }
+  void flip() {
+    if (second_ != SecondSide::none) flipped_ = !flip_mode_ || !flipped_, flip_mode_ = true;
+  }
   void toggle_error() { error_ = !error_; }
   // The session's frame is made again: nothing of the old one may be held.
   void forget() { techniques_.clear(), second_key_.clear(), score_ = {}, reference_.reset(); }
