@@ -11,6 +11,8 @@ class Explain(WindowCase):
     def setUp(self):
         super().setUp()
         self.viewer = self.open("courtyard", *WIDE, "--technique", "cascaded/pcf", "--set", "cascaded.size=256")
+        # The first frames have the window's size.
+        self.viewer.until(lambda status: status["picture_size"] == [275, 160], "the picture's size")
 
     def seen(self):
         self.viewer.frames(3)
