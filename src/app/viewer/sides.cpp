@@ -36,7 +36,8 @@ Sides::Sides(const Start& start, const ViewState& state) : second_(start.second)
 }
 
 float Sides::divider() const {
-  if (second_ == SecondSide::none) return 1.0f;
+  // Until there is a reference the second picture is of another view, or of another scene.
+  if (second_ == SecondSide::none || (second_ == SecondSide::reference && !(reference_ && reference_->answer()))) return 1.0f;
   if (flip_mode_) return flipped_ ? 0.0f : 1.0f;
   return divider_;
 }
@@ -48,15 +49,30 @@ ViewState Sides::second_state(const ViewState& first) const {
   for (const auto& [key, value] : first.edits) {
     if (of_view(key)) state.edits[key] = value;
   }
+  if (first.base.assignments() == other_.base.assignments()) return state;
+  // A preset was loaded since, which has brought its own.
+  state.base = {};
+  for (const std::string& assignment : other_.base.assignments()) {
+    if (!of_view(assignment)) state.base.assign(assignment);
+  }
+  for (const std::string& assignment : first.base.assignments()) {
+    if (of_view(assignment)) state.base.assign(assignment);
+  }
   return state;
 }
 
 void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
-  names_ = {fmt::format("{}", fmt::join(state.techniques, ", ")),
-            second_ == SecondSide::reference ? "reference" : fmt::format("{}", fmt::join(other_.techniques, ", "))};
-  if (second_ == SecondSide::settings) draw_settings(recorder, session, state, canvas);
-  if (second_ == SecondSide::reference) draw_reference(recorder, session, canvas);
-  if (second_ != SecondSide::settings) techniques_.clear(), score_[1].reset();
+  // Camera, lights or size may be others since the last frame: neither picture nor score may read the old answer.
+  if (reference_) reference_->forget_other_view(session);
+  if (second_ == SecondSide::none) return techniques_.clear(), score_[1].reset();
+  names_[0] = fmt::format("{}", fmt::join(state.techniques, ", "));
+  if (second_ == SecondSide::settings) {
+    names_[1] = fmt::format("{}", fmt::join(other_.techniques, ", "));
+    return draw_settings(recorder, session, state, canvas);
+  }
+  techniques_.clear(), score_[1].reset();
+  names_[1] = reference_ && reference_->answer() ? "reference" : "reference: waits for a still view";
+  draw_reference(recorder, session, canvas);
 }
 
 void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {

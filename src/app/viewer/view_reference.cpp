@@ -9,14 +9,19 @@ namespace {
 // A camera that moves starts nothing.
 constexpr int k_still_frames = 3;
 
+void add_bytes(std::vector<std::byte>& key, std::span<const std::byte> bytes) { key.insert(key.end(), bytes.begin(), bytes.end()); }
+
+std::vector<std::byte> reference_key(Session& session) {
+  std::vector<std::byte> key = view_key(session.frame());
+  add_bytes(key, std::as_bytes(std::span(session.settings().block("reference").words())));
+  return key;
+}
+
 }  // namespace
 
 std::vector<std::byte> view_key(const Frame& frame) {
   std::vector<std::byte> key;
-  const auto add = [&](const auto& value) {
-    const auto bytes = std::as_bytes(std::span(&value, 1));
-    key.insert(key.end(), bytes.begin(), bytes.end());
-  };
+  const auto add = [&](const auto& value) { add_bytes(key, std::as_bytes(std::span(&value, 1))); };
   add(frame.camera());
   for (const Light& light : frame.lights()) add(light_data(light));
   return key;
@@ -47,8 +52,12 @@ void ViewReference::start(Session& session) {
   started_ = true;
 }
 
+void ViewReference::forget_other_view(Session& session) {
+  if (answer_ && reference_key(session) != key_) give_up();
+}
+
 bool ViewReference::update(Session& session) {
-  std::vector<std::byte> key = view_key(session.frame());
+  std::vector<std::byte> key = reference_key(session);
   if (key != key_) {
     const bool had_one = answer_.has_value();
     give_up();

@@ -14,11 +14,13 @@ class ViewReference {
  public:
   ViewReference(Session& session, size_t caster_triangles);
 
+  // Before anything of a frame is drawn: drops the answer where the view, or its size, is no longer that of the answer.
+  void forget_other_view(Session& session);
   // Once a frame, with the surface buffer drawn. True when there is a new answer, or none any more. Throws Error.
   bool update(Session& session);
   void give_up();
 
-  // Of the view as it is now.
+  // Of the view as update or forget_other_view last saw it.
   const ProgressiveReference::Answer* answer() const { return answer_ ? &*answer_ : nullptr; }
   const ErrorView& error_view() const { return error_view_; }
   bool complete() const { return answer_ && answer_->complete; }
