@@ -135,6 +135,9 @@ TEST(ViewerPreset, of_another_scene_leaves_camera_and_lights) {
   EXPECT_EQ(next.view.lights, state.view.lights);
   EXPECT_EQ(next.settings().block("camera").text("near"), "0.05");
   EXPECT_FALSE(next.settings().was_set("light.azimuth"));
+  // Its settings of single lights are of lights that are not there, whatever their names hold.
+  const Preset with_lamp = parse_preset(R"({"scene": "terrain", "technique": "single/pcf", "set": {"Lamp.7@pcf.size": 9}})", "lamp.json");
+  EXPECT_TRUE(with_preset(state, with_lamp, false).settings().lights_named().empty());
   EXPECT_EQ(next.settings().scene_options().at("seed"), 3.0);
   EXPECT_THROW(with_preset(state, parse_preset(R"({"techniques": ["all"]})", "x"), false), Error);
   EXPECT_THROW(with_preset(state, parse_preset(R"({"techniques": ["no/such"]})", "x"), false), Error);

@@ -15,9 +15,7 @@ namespace gnomon::viewer {
 namespace {
 
 bool of_technique(const std::string& assignment) {
-  const size_t at = assignment.find('@'), dot = assignment.find('.');
-  const size_t begin = at == assignment.npos || at > dot ? 0 : at + 1;
-  return Settings::is_technique_part(assignment.substr(begin, dot - begin));
+  return Settings::is_technique_part(part_of(assignment.substr(0, assignment.find('='))));
 }
 
 // A line's pictures are named relative to its folder.

@@ -45,7 +45,7 @@ ViewState with_preset(const ViewState& state, const Preset& preset, bool keep_vi
     if (starts(assignment, {"scene"}) || (keeps && starts(assignment, {"camera", "light"}))) next.base.assign(assignment);
   }
   for (const auto& [key, value] : preset.set) {
-    const bool of_view = starts(key, {"camera", "light"}) || key.find('@') < key.find('.');
+    const bool of_view = starts(key, {"camera", "light"}) || key.find('@') != key.npos;
     if (!starts(key, {"scene"}) && !(keeps && of_view)) next.base.assign(key + "=" + value, preset.name + ": 'set':");
   }
   return next;
