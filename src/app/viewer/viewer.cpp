@@ -192,11 +192,12 @@ void Viewer::handle_keys() {
   if (interface_.takes_keys()) return;
   if (window_.pressed(GLFW_KEY_F12)) wishes_.screenshot = true;
   if (window_.pressed(GLFW_KEY_F1)) wishes_.interface = !wishes_.interface;
-  if (!interface_.takes_keys()) {
-    if (window_.pressed(GLFW_KEY_B)) sides_.flip();
-    if (window_.pressed(GLFW_KEY_X)) sides_.toggle_error();
+  if (window_.control_held()) {
+    if (window_.pressed(GLFW_KEY_Q)) window_.close();
+    return;
   }
-  if (window_.pressed(GLFW_KEY_Q) && window_.control_held()) window_.close();
+  if (window_.pressed(GLFW_KEY_B)) sides_.flip();
+  if (window_.pressed(GLFW_KEY_X)) sides_.toggle_error();
 }
 
 void Viewer::move_camera(ViewState& state, float seconds) {
@@ -295,6 +296,10 @@ void Viewer::follow_size() {
     session_->resize(wanted);
     state_.view.size = wanted;
     refused_size_.reset();
+    if (!state_.view.camera.empty() && state_.view.camera != "frame") return;
+    // A camera that holds the whole scene in the picture stands elsewhere in a picture of another shape, as it does for `render`.
+    session_->change(state_.view, state_.settings());
+    camera_.stand_at(session_->camera());
   });
 }
 
