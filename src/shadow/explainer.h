@@ -30,6 +30,9 @@ class Explainer {
   void record_pick(Recorder& recorder, const Frame& frame, size_t light, const Technique& technique, uvec2 pixel);
   void record_views(Recorder& recorder, const Technique& technique);
 
+  // The shaders may be others now: what is made of them is made again when it is next needed.
+  void forget_shaders() { pipelines_.clear(), overdraw_.reset(); }
+
   PickRecord picked() const;
   // Those that the map uses, none for a technique without one.
   std::vector<ShadowView> views() const;

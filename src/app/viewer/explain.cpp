@@ -54,6 +54,11 @@ Explain::Explain(Device& device, VkRenderPass render_pass, const ExplainOptions&
       map_open_(options.map_layer),
       map_layer_(options.map_layer.value_or(0)) {}
 
+void Explain::rebuild(VkRenderPass render_pass) {
+  explainer_.forget_shaders();
+  map_pane_.make_pipelines(render_pass);
+}
+
 uvec2 Explain::pixel(const Session& session) const {
   return glm::min(uvec2(*place_ * vec2(session.options().size)), session.options().size - 1u);
 }

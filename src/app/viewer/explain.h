@@ -29,6 +29,9 @@ class Explain {
   // `render_pass`: that the interface is drawn in.
   Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options);
 
+  // Pipelines of the shaders as they are now.
+  void rebuild(VkRenderPass render_pass);
+
   // Once a frame, whether panels are shown or not.
   void handle_keys(const Window& window);
   // Panel and windows, while the interface's frame is written.

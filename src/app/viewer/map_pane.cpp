@@ -42,15 +42,18 @@ std::string value_text(const vec4& value, uint32_t kind) {
 }  // namespace
 
 MapPane::MapPane(Device& device, VkRenderPass render_pass)
-    : device_(device),
-      probe_begins_(make_compute_pipeline(device, "shadow/map/map_probe.comp", {1})),
-      probe_(make_compute_pipeline(device, "shadow/map/map_probe.comp", {0})),
-      result_(device, "map probe", sizeof(MapProbe), BufferMemory::readback) {
+    : device_(device), result_(device, "map probe", sizeof(MapProbe), BufferMemory::readback) {
+  make_pipelines(render_pass);
+}
+
+void MapPane::make_pipelines(VkRenderPass render_pass) {
+  probe_begins_ = make_compute_pipeline(device_, "shadow/map/map_probe.comp", {1});
+  probe_ = make_compute_pipeline(device_, "shadow/map/map_probe.comp", {0});
   GraphicsPipelineInfo info;
   info.vertex = "app/viewer/map_pane.vert";
   info.fragment = "app/viewer/map_pane.frag";
   info.colour_formats = {k_window_format};
-  pipeline_ = make_graphics_pipeline(device, info, {.render_pass = render_pass});
+  pipeline_ = make_graphics_pipeline(device_, info, {.render_pass = render_pass});
 }
 
 const Image& MapPane::image_of(const ShadowMapView& map) const {

@@ -20,6 +20,9 @@ class MapPane {
   // `render_pass`: that the interface is drawn in.
   MapPane(Device& device, VkRenderPass render_pass);
 
+  // Of the shaders as they are now.
+  void make_pipelines(VkRenderPass render_pass);
+
   // Writes the window; `open` is set to false when the user closes it. `map`: of the last frame.
   void show(const std::optional<ShadowMapView>& map, uint32_t& layer, bool& open);
   // Behind the technique's passes: the map of this frame is what will be drawn. nullopt: none.
