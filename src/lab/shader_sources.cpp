@@ -42,8 +42,9 @@ std::string ShaderSources::kernel_text(const std::string& name) {
   std::string text = read(file_of(name)).text;
   const auto parts = parts_of(name);
   GNOMON_ASSERT(parts.size() == 2 || parts.size() == 3);
+  // Of a kernel for one part, that is a projection or a filter: its text names but one of them.
   replace_all(text, "@FILTER@", parts.back());
-  if (parts.size() == 3) replace_all(text, "@PROJECTION@", parts[1]);
+  replace_all(text, "@PROJECTION@", parts[1]);
   return text;
 }
 

@@ -32,7 +32,7 @@ TEST(ShaderSources, AKernelIsItsTemplateWithTheNamesOfItsTechnique) {
 TEST(ShaderSources, EveryFileOfAShaderIsThere) {
   ShaderSources sources(k_src);
   for (const char* name : {"frame/shade.comp", "frame/visibility.rahit", "frame/caster_paraboloid.geom", "resolve/cube/pcss.comp",
-                           "history/evsm.comp"}) {
+                           "history/evsm.comp", "explain/cascaded.comp", "radius/pcss.comp"}) {
     for (const std::string& file : sources.files_of(name)) EXPECT_NE(sources.hash(file), "") << name << " includes " << file;
   }
 }
