@@ -37,11 +37,9 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) {
 }
 
 ChildProcess::~ChildProcess() {
-  if (!ended_) {
-    stop();
-    reap(true);
-  }
-  close(pipe_);
+  if (!ended_) stop();
+  close(pipe_);  // before it is waited for: it may be writing into a pipe that is full
+  if (!ended_) reap(true);
 }
 
 void ChildProcess::read(bool wait_for_end) {
