@@ -51,7 +51,10 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   }
   viewer::RecentFiles recent;
   auto opened = viewer::open_first(screen, std::move(state));
-  while (opened) opened = viewer::Viewer(screen, std::move(*opened), wishes, recent, how).run();
+  while (opened) {
+    opened = viewer::Viewer(screen, std::move(*opened), wishes, recent, how).run();
+    how.explain.pick.reset();  // a pixel of the first scene
+  }
 #else
   static_cast<void>(arguments), static_cast<void>(technique_given), static_cast<void>(globals);
   fail_device("this gnomon was built without its viewer; use 'gnomon render' or 'gnomon compare'");
