@@ -41,7 +41,7 @@ void MeasurePanel::show(Timings& timings, bool& separate_passes, Session& sessio
     ImGui::SameLine();
     ImGui::Checkbox("separate the passes (full barriers)", &separate_passes);
     note_widget("separate_passes");
-    ImGui::TextWrapped("%zu frames, ms; %s", timings.frames().size(), timings.clock());
+    ImGui::TextWrapped("the last %zu frames, ms; %s", timings.counted(), timings.clock());
     if (const auto hovered = plot_.show(timings, k_plot_height)) one_frame(timings, timings.frames()[*hovered]);
     update_rows(timings);
     note_text("plot", fmt::format("{} frames, {} rows{}", timings.frames().size(), rows_.size(), timings.paused ? ", paused" : ""));

@@ -87,6 +87,9 @@ void Outputs::show_progress() {
 void Outputs::take(const ViewState& state, Session& session) {
   if (!wanted_.empty()) picture(state, session);
   if (clip_.running()) clip_.add(session.frame().read_display());
+}
+
+void Outputs::update() {
   try {
     comparison_.update();
   } catch (const Error& error) {

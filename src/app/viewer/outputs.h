@@ -19,9 +19,13 @@ class Outputs {
   void want_picture(const std::string& extension) { wanted_ = extension; }
   // After each frame: takes it where a picture or a clip wants it.
   void take(const ViewState& state, Session& session);
+  // Goes on with a report, and learns what could not be written; also while the window is minimised.
+  void update();
 
   // A report is being measured: the window should leave the device alone.
   bool measuring() const { return comparison_.busy(); }
+  // A clip is being taken: its pictures must be of one size.
+  bool recording() const { return clip_.running(); }
   // What failed, until it is closed.
   std::string& message() { return message_; }
 

@@ -10,7 +10,9 @@ void Timings::add(const FrameResult& frame) {
   const auto same = [](const PassResult& a, const PassResult& b) { return a.name == b.name; };
   const auto& passes = frame.passes;
   if (std::exchange(stale_, false) || (!frames_.empty() && !std::ranges::equal(passes, frames_.back().passes, same))) clear();
+  if (frames_.empty()) counted_ = 0;
   frames_.push_back(frame);
+  ++counted_;
   if (frames_.size() > k_frames) frames_.pop_front();
 }
 

@@ -1,6 +1,7 @@
 // What the last frames cost, pass by pass.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 
 #include "base/statistics.h"
@@ -18,6 +19,8 @@ class Timings {
   void add(const FrameResult& frame);
   // Other passes, or another way to time them. While it is paused the old frames stay until it goes on.
   void clear() { paused ? void(stale_ = true) : frames_.clear(); }
+  // The same passes of another picture (settings, size): older frames are shown, but count no longer.
+  void change() { counted_ = paused ? counted_ : 0; }
   bool paused = false;  // what is added is dropped
 
   const std::deque<FrameResult>& frames() const { return frames_; }
@@ -31,11 +34,14 @@ class Timings {
   double frame_ms(const FrameResult& frame) const { return software_ ? frame.wall_ms : frame.gpu_ms; }
   const char* clock() const;
 
-  // Over all frames; there is one at least.
+  // How many of the frames, the newest ones, are of the picture as it is.
+  size_t counted() const { return std::clamp<size_t>(counted_, 1, frames_.size()); }
+
+  // Over the frames that count; there is one at least.
   template <class Value>
   Summary summary(Value value) const {
     std::vector<double> samples;
-    for (const FrameResult& frame : frames_) samples.push_back(value(frame));
+    for (size_t i = frames_.size() - counted(); i < frames_.size(); ++i) samples.push_back(value(frames_[i]));
     return summarise(samples);
   }
 
@@ -43,6 +49,7 @@ class Timings {
   bool alone() const { return frames_.back().submission_ms > 0.0; }
 
   bool software_, stale_ = false;
+  size_t counted_ = 0;
   std::deque<FrameResult> frames_;
 };
 

@@ -81,6 +81,7 @@ std::optional<Opened> Viewer::run() {
     const bool visible = size.x > 0 && size.y > 0;
     window_.poll(!visible);
     follow_drops();
+    outputs_.update();
     if (!visible) continue;
     if (outputs_.measuring()) std::this_thread::sleep_for(k_measuring_interval);
     draw();
@@ -267,6 +268,8 @@ void Viewer::apply(const ViewState& next) {
     change(next);
     techniques_.update(*session_, next.techniques);
     if (next.techniques != state_.techniques) timings_.clear(), render_scale_.forget();
+    const bool other_settings = next.edits != state_.edits || next.base.assignments() != state_.base.assignments();
+    if (other_settings || next.view.samples != state_.view.samples) timings_.change();
     state_ = next;
     message_.clear();
   } catch (const Error& error) {
@@ -291,11 +294,13 @@ void Viewer::follow_size() {
   if (window != last_window_) last_window_ = window, window_changed_ = now;
   const uvec2 wanted = wanted_size();
   if (wanted == session_->options().size || wanted == refused_size_ || now - window_changed_ < k_size_settles) return;
+  if (outputs_.recording()) return;
   refused_size_ = wanted;  // unless it goes well: the old size is then stretched to the window
   guarded([&] {
     session_->resize(wanted);
     state_.view.size = wanted;
     refused_size_.reset();
+    timings_.change();
     if (!state_.view.camera.empty() && state_.view.camera != "frame") return;
     // A camera that holds the whole scene in the picture stands elsewhere in a picture of another shape, as it does for `render`.
     session_->change(state_.view, state_.settings());
@@ -308,6 +313,7 @@ std::string Viewer::command() const { return state_.command(session_->options().
 void Viewer::rebuild() {
   techniques_.clear();
   sides_.forget();
+  explain_.rebuild(interface_.render_pass());
   session_->rebuild();
   techniques_.update(*session_, state_.techniques);
 }
