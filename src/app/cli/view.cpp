@@ -50,9 +50,10 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
     if (!reference) how.sides.technique = find_technique(arguments.split).name;
   }
   viewer::RecentFiles recent;
+  viewer::ShaderReload shaders;
   auto opened = viewer::open_first(screen, std::move(state));
   while (opened) {
-    opened = viewer::Viewer(screen, std::move(*opened), wishes, recent, how).run();
+    opened = viewer::Viewer(screen, std::move(*opened), wishes, recent, shaders, how).run();
     how.explain.pick.reset();  // a pixel of the first scene
   }
 #else

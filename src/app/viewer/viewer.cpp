@@ -49,12 +49,13 @@ std::optional<Opened> open_first(Screen& screen, ViewState state) {
   return Opened(opening, screen);
 }
 
-Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recent, const ViewerOptions& options)
+Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recent, ShaderReload& shaders, const ViewerOptions& options)
     : screen_(screen),
       window_(screen.window),
       device_(screen.device),
       wishes_(wishes),
       recent_(recent),
+      shaders_(shaders),
       options_(options),
       state_(std::move(opened.state)),
       session_(std::move(opened.session)),

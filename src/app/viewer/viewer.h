@@ -45,8 +45,8 @@ std::optional<Opened> open_first(Screen& screen, ViewState state);
 // One scene, from its first frame until another one is opened or the window is closed.
 class Viewer {
  public:
-  // `wishes` outlive the scene, as do recent files.
-  Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recent, const ViewerOptions& options);
+  // `wishes` outlive the scene, as do recent files and shaders: what those were compared with is the text at the program's start.
+  Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recent, ShaderReload& shaders, const ViewerOptions& options);
   // The scene that the user opened next; nullopt: the window is closed. Throws Interrupted.
   std::optional<Opened> run();
 
@@ -71,6 +71,7 @@ class Viewer {
   Device& device_;
   Wishes& wishes_;
   RecentFiles& recent_;
+  ShaderReload& shaders_;
   ViewerOptions options_;
   ViewState state_;
   std::unique_ptr<Session> session_;
@@ -83,7 +84,6 @@ class Viewer {
   CameraRig camera_;
   Timings timings_;
   MeasurePanel measure_;
-  ShaderReload shaders_;
   Outputs outputs_;
   std::unique_ptr<Recorder> recorder_;
   bool recorder_separates_ = false;
