@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 
 namespace gnomon::viewer {
 namespace {
+
+// The near plane of one who walks about, relative to the scene's radius, where the scene has no camera that says.
+constexpr double k_walkable_near = 0.005;
 
 bool of_lens(const std::string& key) { return key.starts_with("camera."); }
 
@@ -47,9 +52,13 @@ void choose_scene_camera(ViewState& state, const std::string& camera) {
 
 void keep_lens(ViewState& state, const Session& session) {
   if (session.camera().orthographic) return;
-  for (const char* name : {"vertical_fov", "near"}) {
-    state.edits.try_emplace(fmt::format("camera.{}", name), session.settings().block("camera").text(name));
-  }
+  const ParamBlock& lens = session.settings().block("camera");
+  state.edits.try_emplace("camera.vertical_fov", lens.text("vertical_fov"));
+  // That of the view of the whole scene begins just before the scene: one who walks in would see it cut open.
+  const bool frames_scene = state.view.camera == "frame" || (state.view.camera.empty() && session.scene().cameras.empty());
+  const double walkable_m = std::clamp(k_walkable_near * static_cast<double>(session.scene().bounds().radius()), 1e-4, 1e3);
+  const bool near = !frames_scene || lens.number("near") <= walkable_m;
+  state.edits.try_emplace("camera.near", near ? lens.text("near") : fmt::format("{:.3g}", walkable_m));
 }
 
 }  // namespace gnomon::viewer

@@ -69,7 +69,7 @@ void Sides::show_reference() const {
 
 void Sides::show_scores() const {
   if (!score_[0] || !ImGui::BeginTable("scores", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
-  ImGui::TableSetupColumn("mask against the reference");
+  ImGui::TableSetupColumn("mask against the area reference");
   ImGui::TableSetupColumn("first");
   ImGui::TableSetupColumn(second_ == SecondSide::settings ? "second" : "");
   ImGui::TableHeadersRow();
@@ -85,8 +85,8 @@ void Sides::show_scores() const {
   for (size_t side = 0; side < score_.size(); ++side) {
     if (score_[side]) note_text(side == 0 ? "mae.first" : "mae.second", fmt::format("{}", score_[side]->error.mae));
   }
-  row("mean error (mae)", "%.4f", 1.0, [](const VisibilityError& e) { return e.mae; });
-  row("rmse", "%.4f", 1.0, [](const VisibilityError& e) { return e.rmse; });
+  row("area mae", "%.4f", 1.0, [](const VisibilityError& e) { return e.mae; });
+  row("area rmse", "%.4f", 1.0, [](const VisibilityError& e) { return e.rmse; });
   row("false shadow, area", "%.2f %%", 100.0, [](const VisibilityError& e) { return e.false_shadow.area; });
   row("false light, area", "%.2f %%", 100.0, [](const VisibilityError& e) { return e.false_light.area; });
   row("bias", "%+.4f", 1.0, [](const VisibilityError& e) { return e.bias; });
