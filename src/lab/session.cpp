@@ -24,6 +24,7 @@ void warn_of_suns_below_horizon(std::span<const Light> lights) {
 // Positions are 32-bit floats: far from the origin they lie on a grid, which no camera and no bias can mend.
 void warn_of_coarse_coordinates(const Scene& scene) {
   const Box& box = scene.bounds();
+  if (box.empty()) return;
   const vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
   const float step_m = 1.2e-7f * std::max({farthest.x, farthest.y, farthest.z});
   if (step_m > 1e-5f * box.radius()) {

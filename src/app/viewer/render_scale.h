@@ -8,7 +8,7 @@ namespace gnomon::viewer {
 // may take a third of what it takes: less would cost the picture and gain nothing.
 class RenderScale {
  public:
-  static constexpr float k_least = 0.125f, k_most = 1.0f;
+  static constexpr float k_least = 0.25f, k_most = 1.0f;
 
   // `start`: [k_least, k_most].
   RenderScale(float target_ms, float start) : target_ms_(target_ms), step_(step_of(start)) {}

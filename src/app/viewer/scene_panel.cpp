@@ -29,7 +29,7 @@ std::optional<std::string> ScenePanel::show(const std::string& shown_scene, cons
   }
   ImGui::SetNextItemWidth(-1.0f);
   const bool entered = ImGui::InputTextWithHint("##path", "path of an .obj, .gltf, .glb; or drop one", path_, sizeof path_,
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
+                                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   note_widget("scene_path");
   if (entered && path_[0]) wanted = path_;
   return wanted;

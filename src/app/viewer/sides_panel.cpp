@@ -52,6 +52,10 @@ void Sides::show(ViewState& state, const Session& session, size_t light) {
   ImGui::SameLine();
   ImGui::Checkbox("scores", &scores_);
   note_widget("scores");
+  if (error_) {
+    ImGui::TextColored({0.95f, 0.33f, 0.05f, 1.0f}, "darker than the reference (false shadow)");
+    ImGui::TextColored({0.15f, 0.55f, 0.98f, 1.0f}, "brighter (false light)");
+  }
   if (!wants_reference()) return;
   show_reference();
   show_scores();

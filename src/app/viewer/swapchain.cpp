@@ -9,6 +9,9 @@
 namespace gnomon::viewer {
 namespace {
 
+// A hidden window may give no image: the picture is then left out.
+constexpr uint64_t k_patience_ns = 100'000'000;
+
 VkSurfaceFormatKHR choose_format(VkPhysicalDevice physical, VkSurfaceKHR surface) {
   uint32_t count = 0;
   vk_check(vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, nullptr), "vkGetPhysicalDeviceSurfaceFormatsKHR");
@@ -149,7 +152,8 @@ bool Swapchain::acquire(uint32_t& index) {
   // The window may change its size between any two calls; after a few tries this picture is left out.
   for (int attempt = 0; attempt < 3; ++attempt) {
     if (stale_ && !make()) return false;
-    const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, UINT64_MAX, acquired_, VK_NULL_HANDLE, &index);
+    const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, k_patience_ns, acquired_, VK_NULL_HANDLE, &index);
+    if (result == VK_TIMEOUT || result == VK_NOT_READY) return false;
     stale_ = result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR;
     if (result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR) return true;
     if (!stale_) vk_check(result, "vkAcquireNextImageKHR");

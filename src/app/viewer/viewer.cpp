@@ -97,6 +97,10 @@ void Viewer::open(const std::string& scene) {
     message_ = fmt::format("{} is still being opened", opening_->scene_name());
     return;
   }
+  if (outputs_.measuring()) {
+    message_ = "a report is being measured; another scene would end it: stop it first";
+    return;
+  }
   message_.clear();
   opening_.emplace(state_for_scene(state_, scene));
 }
@@ -169,7 +173,7 @@ void Viewer::draw() {
   screen_.canvas.record_picture(*recorder_, session_->frame(), 0);
   screen_.canvas.record_window(*recorder_, sides_.divider(), interface_, explain_.uses());
   timings_.add(recorder_->finish());
-  explain_.collect(*session_, techniques_);
+  guarded([&] { explain_.collect(*session_, techniques_); });
   screen_.swapchain.set_vsync(wishes_.vsync);
   // Waiting for the screen is no work: it must not make the picture smaller.
   const std::chrono::duration<float, std::milli> work = std::chrono::steady_clock::now() - now;
