@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 #include "app/viewer/section.h"
 #include "base/error.h"
@@ -28,6 +29,16 @@ constexpr std::chrono::milliseconds k_measuring_interval(500);
 uvec2 scaled(uvec2 size, float scale) {
   const vec2 exact = glm::round(vec2(size) * scale);
   return glm::clamp(uvec2(exact), uvec2(1), uvec2(16384));
+}
+
+// What "up to 8" samples of a preset are on this device: the session's constructor does the same for those it starts with.
+void settle_samples(ViewOptions& view, const DeviceInfo& device) {
+  if (!std::exchange(view.fewer_samples, false)) return;
+  uint32_t offered = 1;
+  for (const int count : device.sample_counts) {
+    if (static_cast<uint32_t>(count) <= view.samples) offered = std::max(offered, static_cast<uint32_t>(count));
+  }
+  view.samples = offered;
 }
 
 }  // namespace
@@ -264,7 +275,9 @@ bool Viewer::builds(const ViewState& next) const {
   }
 }
 
-void Viewer::apply(const ViewState& next) {
+void Viewer::apply(const ViewState& wanted) {
+  ViewState next = wanted;
+  settle_samples(next.view, device_.info());
   const auto change = [this](const ViewState& state) {
     if (session_->needs_new_frame(state.view, state.settings())) techniques_.clear(), sides_.forget();
     session_->change(state.view, state.settings());

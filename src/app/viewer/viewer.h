@@ -58,7 +58,7 @@ class Viewer {
   void move_camera(ViewState& state, float seconds);
   void follow(const ViewState& next);
   bool builds(const ViewState& next) const;
-  void apply(const ViewState& next);
+  void apply(const ViewState& wanted);
   uvec2 wanted_size() const;
   std::string command() const;  // `gnomon render ...` of the picture, without its output
   void follow_size();
