@@ -55,11 +55,15 @@ void Panels::window(Wishes& wishes, const Session& session) const {
   note_widget("adapt_size");
   ImGui::SetNextItemWidth(0.42f * ImGui::GetContentRegionAvail().x);
   if (wishes.adapt_size) {
-    ImGui::SliderFloat("ms a frame", &wishes.target_ms, 5.0f, 200.0f, "%.0f", ImGuiSliderFlags_AlwaysClamp);
-    note_widget("target_ms");
+    ImGui::SliderFloat("##target_ms", &wishes.target_ms, 5.0f, 200.0f, "%.0f", ImGuiSliderFlags_AlwaysClamp);
+    note_widget("target_ms");  // the slider alone: its middle takes numbers
+    ImGui::SameLine();
+    ImGui::TextUnformatted("ms a frame");
   } else {
-    ImGui::SliderFloat("picture / window size", &wishes.scale, 0.1f, 2.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
-    note_widget("scale");
+    ImGui::SliderFloat("##scale", &wishes.scale, 0.1f, 2.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+    note_widget("scale");  // the slider alone: its middle takes numbers
+    ImGui::SameLine();
+    ImGui::TextUnformatted("picture / window size");
   }
   const uvec2 size = session.options().size;
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
