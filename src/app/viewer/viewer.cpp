@@ -165,7 +165,8 @@ void Viewer::draw() {
   const bool same_view = next.view.camera == state_.view.camera;
   if (const auto travelled = state_panels_.travel(state_)) next = *travelled;
   follow(next);
-  state_panels_.remember(state_);
+  // While something is to be built, the state is still the one before: no new step.
+  if (!building_) state_panels_.remember(state_);
   state_panels_.follow_camera(camera_, *session_);
   follow_size();
   shaders_.update([&] { rebuild(); });
