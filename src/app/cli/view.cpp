@@ -71,7 +71,8 @@ void add_view(CLI::App& app, const Globals& globals) {
   arguments->view.add_to(*command);
   command->get_option("scene")->capture_default_str();
   auto* technique = command->add_option("--technique", arguments->techniques,
-                                        "projection/filter or a direct technique; several, separated by commas: each light takes the first for its kind")
+                                        "projection/filter or a direct technique; several, separated by commas: "
+                                        "each light takes the first for its kind")
                         ->delimiter(',')
                         ->capture_default_str();
   command->add_option("--scale", arguments->scale, "size of the picture, relative to the window's (default: follows the time of a frame)")
@@ -79,7 +80,8 @@ void add_view(CLI::App& app, const Globals& globals) {
   command->add_option("--frame-ms", arguments->frame_ms, "time of a frame that the size of the picture aims at")
       ->check(CLI::Range(5.0f, 1000.0f))
       ->capture_default_str();
-  command->add_option("--frames", arguments->frames, "ends after so many frames (default: when the window is closed)")->check(CLI::Range(1u, 1000000u));
+  command->add_option("--frames", arguments->frames, "ends after so many frames (default: when the window is closed)")
+      ->check(CLI::Range(1u, 1000000u));
   command->add_option("--split", arguments->split, "a second side beside the picture: a technique, or 'reference'");
   command->add_flag("--no-panels", arguments->no_panels, "the picture alone (F1 shows the panels)");
   command->add_flag("--error", arguments->error, "error against the reference over the picture");

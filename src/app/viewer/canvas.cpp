@@ -44,7 +44,9 @@ void Canvas::release() noexcept {
 void Canvas::record_picture(Recorder& recorder, const Frame& frame, size_t side) {
   Image& picture = pictures_[side];
   const uvec2 from = frame.size();
-  if (!picture || from != uvec2(picture.info().width, picture.info().height)) picture = make_image(device_, "picture", from, VK_FORMAT_R8G8B8A8_UNORM);
+  if (!picture || from != uvec2(picture.info().width, picture.info().height)) {
+    picture = make_image(device_, "picture", from, VK_FORMAT_R8G8B8A8_UNORM);
+  }
   recorder.pass("window/copy", PassStage::other, {{frame.display(), Use::copy_read}, {picture, Use::copy_write}},
                 [&](Commands& commands) { commands.copy(frame.display(), picture); });
 }

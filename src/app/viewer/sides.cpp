@@ -16,6 +16,8 @@ constexpr int k_settling_frames = 3;
 // Reading a mask back and comparing it takes a few milliseconds.
 constexpr std::chrono::milliseconds k_between_scores{300};
 
+void append(std::vector<std::byte>& key, std::span<const std::byte> bytes) { key.insert(key.end(), bytes.begin(), bytes.end()); }
+
 bool of_view(const std::string& key) {
   return key.starts_with("light.") || key.starts_with("camera.") || key.starts_with("scene.");
 }
@@ -79,7 +81,7 @@ void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState&
   const ViewState second = second_state(state);
   std::vector<std::byte> key = view_key(session.frame());
   const std::string command = second.command(session.options().size) + (error_ ? "error" : "");
-  key.insert(key.end(), reinterpret_cast<const std::byte*>(command.data()), reinterpret_cast<const std::byte*>(command.data() + command.size()));
+  append(key, std::as_bytes(std::span(command)));
   if (key != second_key_) settling_ = k_settling_frames;
   second_key_ = std::move(key);
   if (settling_ == 0) return;
@@ -105,10 +107,8 @@ void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState&
 void Sides::draw_reference(Recorder& recorder, Session& session, Canvas& canvas) {
   if (!reference_ || !reference_->answer()) return;
   std::vector<std::byte> key = view_key(session.frame());
-  const std::string settings = fmt::format("reference {} {}", reference_->answer()->samples, session.settings().block("frame").words().size());
-  key.insert(key.end(), reinterpret_cast<const std::byte*>(settings.data()), reinterpret_cast<const std::byte*>(settings.data() + settings.size()));
-  const auto frame_words = std::as_bytes(std::span(session.settings().block("frame").words()));
-  key.insert(key.end(), frame_words.begin(), frame_words.end());
+  append(key, std::as_bytes(std::span(&reference_->answer()->samples, 1)));
+  append(key, std::as_bytes(std::span(session.settings().block("frame").words())));
   if (key == second_key_) return;
   second_key_ = std::move(key);
   // The surface buffer is that of the last frame, which had the same view.

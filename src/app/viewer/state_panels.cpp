@@ -24,7 +24,8 @@ void attempt(std::string& message, const Do& action) {
 
 }  // namespace
 
-void StatePanels::before_panels(ViewState& state, CameraRig& rig, Session& session, const Window& window, double seconds, std::string& message) {
+void StatePanels::before_panels(ViewState& state, CameraRig& rig, Session& session, const Window& window, double seconds,
+                                std::string& message) {
   now_s_ += seconds;
   const ImGuiIO& io = ImGui::GetIO();
   // A number that is being typed counts digit by digit: one step, as a drag is.

@@ -24,7 +24,8 @@ bool TechniqueSet::builds(std::span<const Light> lights, const std::vector<std::
   if (lights.size() != entries_.size()) return true;
   for (size_t i = 0; i < lights.size(); ++i) {
     const TechniqueSpec* spec = technique_for(names, lights[i].kind);
-    if (!spec || spec != entries_[i].spec || needs_rebuild(entries_[i].settings, settings.for_technique(*spec, lights[i].name))) return true;
+    if (!spec || spec != entries_[i].spec) return true;
+    if (needs_rebuild(entries_[i].settings, settings.for_technique(*spec, lights[i].name))) return true;
   }
   return false;
 }

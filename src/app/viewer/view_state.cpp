@@ -35,7 +35,8 @@ void ViewState::choose_technique(const TechniqueSpec& spec, LightKind kind, std:
     if (of_light && std::find(chosen.begin(), chosen.end(), of_light) == chosen.end()) chosen.push_back(of_light);
   }
   // Those for few kinds of light first: each light then takes its own.
-  std::stable_sort(chosen.begin(), chosen.end(), [](const auto* a, const auto* b) { return a->light_kinds.size() < b->light_kinds.size(); });
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const auto* a, const auto* b) { return a->light_kinds.size() < b->light_kinds.size(); });
   techniques.clear();
   for (const TechniqueSpec* of_light : chosen) techniques.push_back(of_light->name);
 }

@@ -133,34 +133,14 @@ void Viewer::draw() {
   last_frame_ = now;
   screen_.fit_canvas();
 
+  const bool says_what_is_built = building_.has_value();
   ViewState next = building_.value_or(state_);
   interface_.begin_frame();
   handle_keys();
   explain_.handle_keys(window_);
   state_panels_.before_panels(next, camera_, *session_, window_, static_cast<double>(seconds), message_);
   move_camera(next, std::min(seconds, k_longest_step_s));
-  panels_.set_speed(camera_.camera().speed());
-  if (wishes_.interface) {
-    if (begin_main_panel()) {
-      if (const auto scene = scene_panel_.show(state_.view.scene, recent_)) open(*scene);
-    }
-    ImGui::End();
-    panels_.show(next, wishes_, *session_, techniques_);
-    if (begin_section("Compare", options_.sides.second != SecondSide::none || options_.sides.error)) sides_.show(next, *session_, panels_.light());
-    end_section();
-    explain_.show(*session_, techniques_);
-    measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
-    outputs_.show(next, *session_);
-    state_panels_.show(next, camera_, *session_, message_);
-  }
-  const bool says_so = building_.has_value();
-  if (says_so) show_notice(fmt::format("building {} ...", fmt::join(building_->techniques, ", ")));
-  if (opening_) show_progress(opening_->status(), opening_->share());
-  sides_.show_divider();
-  explain_.show_marks(*session_);
-  panels_.show_message(message_);
-  panels_.show_message(shaders_.message());
-  panels_.show_message(outputs_.message());
+  show_interface(next);
   interface_.end_frame();
   const bool same_view = next.view.camera == state_.view.camera;
   if (const auto travelled = state_panels_.travel(state_)) next = *travelled;
@@ -171,6 +151,47 @@ void Viewer::draw() {
   follow_size();
   shaders_.update([&] { rebuild(); });
 
+  record();
+  // Waiting for the screen is no work: it must not make the picture smaller.
+  const std::chrono::duration<float, std::milli> work = std::chrono::steady_clock::now() - now;
+  screen_.swapchain.set_vsync(wishes_.vsync);
+  screen_.swapchain.present(screen_.canvas.image());
+  // A reference is for one size: while it is wanted, only a camera that moves changes it.
+  if (!sides_.wants_reference() || !same_view) render_scale_.add_frame(work.count());
+  guarded([&] { sides_.follow(*session_); });
+  hand_out();
+  if (says_what_is_built) {
+    const ViewState built = *std::exchange(building_, std::nullopt);
+    if (!built.same_picture(state_)) apply(built);
+  }
+}
+
+void Viewer::show_interface(ViewState& next) {
+  panels_.set_speed(camera_.camera().speed());
+  if (wishes_.interface) {
+    if (begin_main_panel()) {
+      if (const auto scene = scene_panel_.show(state_.view.scene, recent_)) open(*scene);
+    }
+    ImGui::End();
+    panels_.show(next, wishes_, *session_, techniques_);
+    const bool compares = options_.sides.second != SecondSide::none || options_.sides.error;
+    if (begin_section("Compare", compares)) sides_.show(next, *session_, panels_.light());
+    end_section();
+    explain_.show(*session_, techniques_);
+    measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
+    outputs_.show(next, *session_);
+    state_panels_.show(next, camera_, *session_, message_);
+  }
+  if (building_) show_notice(fmt::format("building {} ...", fmt::join(building_->techniques, ", ")));
+  if (opening_) show_progress(opening_->status(), opening_->share());
+  sides_.show_divider();
+  explain_.show_marks(*session_);
+  panels_.show_message(message_);
+  panels_.show_message(shaders_.message());
+  panels_.show_message(outputs_.message());
+}
+
+void Viewer::record() {
   if (!recorder_ || recorder_separates_ != wishes_.separate_passes) {
     recorder_separates_ = wishes_.separate_passes;
     const bool alone = recorder_separates_ && device_.info().software;
@@ -186,59 +207,17 @@ void Viewer::draw() {
   screen_.canvas.record_window(*recorder_, sides_.divider(), interface_, explain_.uses());
   timings_.add(recorder_->finish());
   guarded([&] { explain_.collect(*session_, techniques_); });
-  screen_.swapchain.set_vsync(wishes_.vsync);
-  // Waiting for the screen is no work: it must not make the picture smaller.
-  const std::chrono::duration<float, std::milli> work = std::chrono::steady_clock::now() - now;
-  screen_.swapchain.present(screen_.canvas.image());
-  if (says_so) {
-    const ViewState built = *std::exchange(building_, std::nullopt);
-    if (!built.same_picture(state_)) apply(built);
-  }
-  // A reference is for one size: while it is wanted, only a camera that moves changes it.
-  if (!sides_.wants_reference() || !same_view) render_scale_.add_frame(work.count());
-  guarded([&] { sides_.follow(*session_); });
+}
+
+// What leaves the window: pictures, clips, the clipboard, the status file.
+void Viewer::hand_out() {
   if (std::exchange(wishes_.screenshot, false)) outputs_.want_picture(".png");
   outputs_.take(state_, *session_);
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), command().c_str());
-  if (status_.on()) {
-    const std::string& shown = !message_.empty() ? message_ : !shaders_.message().empty() ? shaders_.message() : outputs_.message();
-    status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), shown, screen_.swapchain.vsync(), opening_.has_value()});
-  }
-}
-
-void Viewer::handle_keys() {
-  if (interface_.takes_keys()) return;
-  if (window_.pressed(GLFW_KEY_F12)) wishes_.screenshot = true;
-  if (window_.pressed(GLFW_KEY_F1)) wishes_.interface = !wishes_.interface;
-  if (window_.control_held()) {
-    if (window_.pressed(GLFW_KEY_Q)) window_.close();
-    return;
-  }
-  if (window_.pressed(GLFW_KEY_B)) sides_.flip();
-  if (window_.pressed(GLFW_KEY_X)) sides_.toggle_error();
-}
-
-void Viewer::move_camera(ViewState& state, float seconds) {
-  CameraInput input;
-  if (!interface_.takes_keys() && !window_.control_held()) {
-    const auto axis = [&](std::initializer_list<int> forward, std::initializer_list<int> back) {
-      const auto any = [&](auto keys) { return std::any_of(keys.begin(), keys.end(), [&](int key) { return window_.held(key); }) ? 1.0f : 0.0f; };
-      return any(forward) - any(back);
-    };
-    input.move = {axis({GLFW_KEY_D}, {GLFW_KEY_A}), axis({GLFW_KEY_SPACE, GLFW_KEY_E}, {GLFW_KEY_LEFT_SHIFT, GLFW_KEY_Q}),
-                  axis({GLFW_KEY_W}, {GLFW_KEY_S})};
-  }
-  // Alt and a drag: around what is looked at.
-  input.around = window_.held(GLFW_KEY_LEFT_ALT) && !interface_.takes_keys();
-  const bool left = input.around && glfwGetMouseButton(window_.handle(), GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && !state_panels_.has_mouse();
-  const bool looks = (window_.right_button() || left) && !interface_.takes_mouse();
-  if (looks) input.look_px = window_.mouse_motion();
-  window_.capture_mouse(looks);
-  if (!interface_.takes_mouse()) input.wheel = interface_.wheel();
-  if (!camera_.update(input, seconds)) return;
-  state_panels_.user_moves_camera();
-  keep_lens(state, *session_);
-  state.view.camera = camera_.camera().text();
+  if (!status_.on()) return;
+  const std::string& shown = !message_.empty() ? message_ : !shaders_.message().empty() ? shaders_.message() : outputs_.message();
+  status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), shown, screen_.swapchain.vsync(),
+                 opening_.has_value()});
 }
 
 void Viewer::draw_second() {

@@ -52,6 +52,9 @@ class Viewer {
 
  private:
   void draw();
+  void show_interface(ViewState& next);
+  void record();
+  void hand_out();
   void draw_second();
   void guarded(const std::function<void()>& work);
   void handle_keys();
