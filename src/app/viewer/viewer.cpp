@@ -80,6 +80,7 @@ Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recen
       outputs_(device_),
       sides_(options.sides, state_),
       render_scale_(wishes.target_ms, device_.info().software ? k_software_start : 1.0f),
+      last_window_(screen.window.size()),
       last_frame_(std::chrono::steady_clock::now()) {
   if (!session_->scene().source.empty()) recent_.add(session_->scene().source);
   window_.set_title("gnomon: " + state_.view.scene);
