@@ -13,7 +13,7 @@ namespace {
 struct Arguments {
   ViewArguments view;
   std::vector<std::string> techniques = {"single/pcf", "cube/pcf"};  // the second for point lights
-  float scale = 0.0f, frame_ms = 50.0f;  // scale 0: follows the time of a frame
+  float scale = 0.0f, frame_ms = 40.0f;  // scale 0: follows the time of a frame
   uint32_t frames = 0;
   std::string screenshot, split;
   bool error = false, no_panels = false;

@@ -14,7 +14,7 @@ struct Wishes {
   bool separate_passes = false;
   float scale = 1.0f;        // size of the picture, relative to the window's
   bool adapt_size = true;    // `scale` follows the time that a frame takes
-  float target_ms = 50.0f;   // of a frame
+  float target_ms = 40.0f;   // of a frame
   // Of this frame only:
   bool screenshot = false, copy_command = false;
 };
