@@ -17,20 +17,6 @@ double now_ms() {
 
 constexpr uint32_t k_max_indirect_draws = 4096;
 
-VkImageMemoryBarrier2 image_barrier(const Image& image, const Transition& transition) {
-  VkImageMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-  barrier.srcStageMask = transition.from_stages;
-  barrier.srcAccessMask = transition.from_access;
-  barrier.dstStageMask = transition.to_stages;
-  barrier.dstAccessMask = transition.to_access;
-  barrier.oldLayout = transition.from_layout;
-  barrier.newLayout = transition.to_layout;
-  barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  barrier.image = image.handle();
-  barrier.subresourceRange = {image.aspect(), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
-  return barrier;
-}
-
 void full_barrier(VkCommandBuffer commands) {
   memory_barrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                  VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
@@ -156,7 +142,7 @@ void Recorder::barriers(std::span<const ResourceUse> uses) {
     if (const auto* image = std::get_if<const Image*>(&use.resource)) {
       const Transition transition = advance((*image)->state(), use.use);
       if (!transition.needed) continue;
-      images.push_back(image_barrier(**image, transition));
+      images.push_back(image_barrier((*image)->handle(), (*image)->aspect(), transition));
       // Beside the change of layout: validation takes every image of the bindless set for used by every dispatch.
       widen(memory, transition);
     } else {

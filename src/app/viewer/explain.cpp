@@ -15,7 +15,6 @@
 namespace gnomon::viewer {
 namespace {
 
-
 const char* overlay_title(uint32_t overlay) {
   switch (overlay) {
     case k_overlay_layers:

@@ -5,6 +5,7 @@
 
 #include "app/viewer/interface.h"
 #include "base/error.h"
+#include "gpu/memory_barrier.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -37,17 +38,7 @@ VkPresentModeKHR choose_mode(VkPhysicalDevice physical, VkSurfaceKHR surface, bo
 }
 
 VkImageMemoryBarrier2 barrier_of(VkImage image, const Transition& transition) {
-  VkImageMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-  barrier.srcStageMask = transition.from_stages;
-  barrier.srcAccessMask = transition.from_access;
-  barrier.dstStageMask = transition.to_stages;
-  barrier.dstAccessMask = transition.to_access;
-  barrier.oldLayout = transition.from_layout;
-  barrier.newLayout = transition.to_layout;
-  barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  barrier.image = image;
-  barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-  return barrier;
+  return image_barrier(image, VK_IMAGE_ASPECT_COLOR_BIT, transition);
 }
 
 void wait_for(VkCommandBuffer commands, std::initializer_list<VkImageMemoryBarrier2> barriers) {

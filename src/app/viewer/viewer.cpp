@@ -226,12 +226,14 @@ void Viewer::draw_second() {
 }
 
 // What the user may have asked for is shown; what validation says, and a lost device, end the program.
-void Viewer::guarded(const std::function<void()>& work) {
+bool Viewer::guarded(const std::function<void()>& work) {
   try {
     work();
+    return true;
   } catch (const Error& error) {
     if (device_.validates() && error.code() == ExitCode::failure) throw;
     message_ = error.what();
+    return false;
   }
 }
 
@@ -263,7 +265,7 @@ void Viewer::apply(const ViewState& wanted) {
     if (session_->needs_new_frame(state.view, state.settings())) techniques_.clear(), sides_.forget();
     session_->change(state.view, state.settings());
   };
-  try {
+  const bool done = guarded([&] {
     change(next);
     techniques_.update(*session_, next.techniques);
     if (next.techniques != state_.techniques) timings_.clear(), render_scale_.forget();
@@ -271,13 +273,10 @@ void Viewer::apply(const ViewState& wanted) {
     if (other_settings || next.view.samples != state_.view.samples) timings_.change();
     state_ = next;
     message_.clear();
-  } catch (const Error& error) {
-    // What the user may have asked for is shown; what validation says, and a lost device, end the program.
-    if (device_.validates() && error.code() == ExitCode::failure) throw;
-    message_ = error.what();
-    change(state_);
-    techniques_.update(*session_, state_.techniques);
-  }
+  });
+  if (done) return;
+  change(state_);
+  techniques_.update(*session_, state_.techniques);
 }
 
 uvec2 Viewer::wanted_size() const {

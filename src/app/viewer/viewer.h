@@ -56,7 +56,7 @@ class Viewer {
   void record();
   void hand_out();
   void draw_second();
-  void guarded(const std::function<void()>& work);
+  bool guarded(const std::function<void()>& work);  // false where it threw what is now shown
   void handle_keys();
   void move_camera(ViewState& state, float seconds);
   void follow(const ViewState& next);
