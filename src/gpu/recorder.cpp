@@ -196,6 +196,10 @@ void Recorder::pass(std::string name, PassStage stage, std::span<const ResourceU
     full_barrier(commands_);
   }
   passes_.push_back(std::move(result));
+  if (isolate_ && gives_up_ && gives_up_()) {
+    finish();
+    throw GivenUp();
+  }
 }
 
 void Recorder::copy_draw_counts(const Commands& commands) {

@@ -101,6 +101,9 @@ class Commands {
   std::vector<CountRead> count_reads_;
 };
 
+// Thrown by Recorder::pass: the frame is not drawn to its end.
+struct GivenUp {};
+
 class Recorder {
  public:
   static constexpr uint32_t k_max_passes = 256;
@@ -111,7 +114,11 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
+  // Asked behind each pass that is submitted alone: true gives the frame up, and the passes so far stay done.
+  void give_up_when(std::function<bool()> asked) { gives_up_ = std::move(asked); }
+
   void begin();
+  // Throws GivenUp where that was asked for; the recorder can then begin again.
   void pass(std::string name, PassStage stage, std::span<const ResourceUse> uses, const std::function<void(Commands&)>& record);
   void pass(std::string name, PassStage stage, std::initializer_list<ResourceUse> uses, const std::function<void(Commands&)>& record) {
     pass(std::move(name), stage, std::span(uses.begin(), uses.size()), record);
@@ -139,6 +146,7 @@ class Recorder {
   std::vector<PassResult> passes_;
   std::vector<std::pair<uint32_t, uint32_t>> count_ranges_;  // per pass: first word and count in draw_counts_
   std::vector<bool> has_statistics_;
+  std::function<bool()> gives_up_;
   double wall_ms_ = 0.0, record_ms_ = 0.0, submission_ms_ = 0.0;
   double record_start_ = 0.0;
 };

@@ -109,6 +109,23 @@ TEST(Recorder, CanBeUsedAgain) {
   }
 }
 
+TEST(Recorder, AFrameCanBeGivenUpBetweenPasses) {
+  View view(row_of_boxes());
+  Recorder recorder(device(), TimingMode::play, true);
+  int asked = 0;
+  recorder.give_up_when([&] { return ++asked == 2; });
+  recorder.begin();
+  EXPECT_THROW(view.frame().record_surface(recorder), GivenUp);
+  EXPECT_EQ(asked, 2) << "passes";
+  // The next frame is a whole one, of the same images.
+  recorder.begin();
+  view.frame().record_surface(recorder);
+  const FrameResult frame = recorder.finish();
+  EXPECT_EQ(frame.passes.size(), 3u);
+  EXPECT_EQ(pass_named(frame, "surface/draw").draws, 6u);
+  device().check_validation();
+}
+
 TEST(Recorder, FrameWithoutPassesIsEmpty) {
   const FrameResult frame = test::run_passes([](Recorder&) {});
   EXPECT_TRUE(frame.passes.empty());

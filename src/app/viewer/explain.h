@@ -42,6 +42,7 @@ class Explain {
   void record(Recorder& recorder, Session& session, const TechniqueSet& techniques);
   // Once the recorder has finished.
   void collect(Session& session, const TechniqueSet& techniques);
+  bool reads_frame() const { return place_ || map_open_ || options_.lines || options_.overlay != k_overlay_none; }
   // What the pass that draws the interface must name.
   std::span<const ResourceUse> uses() const { return map_pane_.uses(); }
 

@@ -35,7 +35,8 @@ std::string mib(uint64_t bytes) { return fmt::format("{:.1f} MiB", static_cast<d
 }  // namespace
 
 void MeasurePanel::show(Timings& timings, bool& separate_passes, Session& session, const TechniqueSet& techniques) {
-  if (begin_section("Measure") && !timings.frames().empty()) {
+  open_ = begin_section("Measure");
+  if (open_ && !timings.frames().empty()) {
     if (ImGui::Button(timings.paused ? "Go on" : "Pause")) timings.paused = !timings.paused;
     note_widget("pause");
     ImGui::SameLine();

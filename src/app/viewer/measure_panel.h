@@ -13,6 +13,7 @@ class MeasurePanel {
  public:
   // A window of its own. `separate_passes`: as the user wants them from the next frame on.
   void show(Timings& timings, bool& separate_passes, Session& session, const TechniqueSet& techniques);
+  bool open() const { return open_; }
 
  private:
   struct Row {
@@ -30,6 +31,7 @@ class MeasurePanel {
   FramePlot plot_;
   std::vector<Row> rows_;
   double rows_age_s_ = 0.0;
+  bool open_ = false;
 };
 
 }  // namespace gnomon::viewer

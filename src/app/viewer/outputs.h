@@ -24,6 +24,8 @@ class Outputs {
 
   // A report is being measured: the window should leave the device alone.
   bool measuring() const { return comparison_.busy(); }
+  // A picture of the coming frame is wanted.
+  bool wants_frame() const { return !wanted_.empty() || clip_.running(); }
   // A clip is being taken: its pictures must be of one size.
   bool recording() const { return clip_.running(); }
   // What failed, until it is closed.

@@ -32,6 +32,7 @@ class Panels {
   void show_message(std::string& text) const;
   size_t light() const { return light_; }  // whose technique is shown
   void set_speed(float speed_m_s) { speed_m_s_ = speed_m_s; }
+  void set_map_divisor(uint32_t divisor) { map_divisor_ = divisor; }  // of maps while the view moves
 
  private:
   void technique(ViewState& state, Session& session, const TechniqueSet& techniques);
@@ -44,6 +45,7 @@ class Panels {
   ParamEditor editor_;
   size_t light_ = 0;  // whose technique is shown
   float speed_m_s_ = 0.0f;
+  uint32_t map_divisor_ = 1;
 };
 
 }  // namespace gnomon::viewer

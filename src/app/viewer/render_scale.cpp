@@ -6,7 +6,7 @@
 namespace gnomon::viewer {
 
 int RenderScale::step_of(float scale) {
-  return static_cast<int>(std::lround(static_cast<float>(k_steps_per_octave) * std::log2(std::clamp(scale, k_least, k_most))));
+  return static_cast<int>(std::lround(static_cast<float>(k_steps_per_octave) * std::log2(std::clamp(scale, k_least_moving, k_most))));
 }
 
 float RenderScale::scale_of(int step) { return std::exp2(static_cast<float>(step) / static_cast<float>(k_steps_per_octave)); }
@@ -39,15 +39,15 @@ void RenderScale::add_frame(float ms) {
     fixed_ms_ = std::clamp(ms - std::max((last_ms_ - ms) / areas, 0.0f) * scale() * scale(), 0.0f, ms);
     last_scale_ = 0.0f;
   }
-  const int least = step_of(k_least), most = step_of(k_most);
+  const int most = step_of(k_most);
   if (ms > budget_ms()) {
     fast_ = 0, fast_ms_ = 0.0f;
     // One slow frame may be somebody else's doing, unless it is far too slow.
     if (++slow_ < 2 && ms < 2.0f * budget_ms()) return;
-    if (step_ == least) return;
+    if (step_ == least_) return;
     if (went_up_) wait_ = std::min(2 * wait_, k_longest_wait);
     const float octaves = 0.5f * std::log2(ms / budget_ms());  // of pixels, along a side
-    go_to(std::max(step_ - std::max(1, static_cast<int>(std::lround(octaves * k_steps_per_octave))), least), ms);
+    go_to(std::max(step_ - std::max(1, static_cast<int>(std::lround(octaves * k_steps_per_octave))), least_), ms);
     return;
   }
   slow_ = 0;

@@ -1,6 +1,8 @@
 // The picture's size relative to the window's: chosen so that a frame takes at most a given time.
 #pragma once
 
+#include <algorithm>
+
 namespace gnomon::viewer {
 
 // A frame costs something per pixel, and something that no size changes (maps, interface). The size follows the measured times in
@@ -9,12 +11,14 @@ namespace gnomon::viewer {
 class RenderScale {
  public:
   static constexpr float k_least = 0.25f, k_most = 1.0f;
+  static constexpr float k_least_moving = 0.125f;  // of a picture that is soon replaced
 
-  // `start`: [k_least, k_most].
+  // `start`: [k_least_moving, k_most].
   RenderScale(float target_ms, float start) : target_ms_(target_ms), step_(step_of(start)) {}
 
   float scale() const { return scale_of(step_); }
   void set_target(float ms) { target_ms_ = ms; }
+  void set_least(float scale) { step_ = std::max(step_, least_ = step_of(scale)); }
   // Of a whole frame at this scale, from input to picture.
   void add_frame(float ms);
   // What was measured belongs to other settings.
@@ -30,6 +34,7 @@ class RenderScale {
   float budget_ms() const;
 
   float target_ms_;
+  int least_ = step_of(k_least);
   int step_;              // scale is 2^(step / k_steps_per_octave)
   // Of a frame, whatever its size: from the last two sizes. Below 0: not known yet.
   float fixed_ms_ = -1.0f;

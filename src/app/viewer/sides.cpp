@@ -22,15 +22,6 @@ bool of_view(const std::string& key) {
   return key.starts_with("light.") || key.starts_with("camera.") || key.starts_with("scene.");
 }
 
-bool has_history(const Session& session, const TechniqueSet& techniques) {
-  for (size_t light = 0; light < techniques.techniques().size(); ++light) {
-    const SettingsMap settings = session.settings_of(techniques.spec(light), light);
-    const auto temporal = settings.find("temporal");
-    if (temporal != settings.end() && temporal->second.number("history") > 0.0) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 Sides::Sides(const Start& start, const ViewState& state) : second_(start.second), other_(state), error_(start.error) {
@@ -89,7 +80,7 @@ void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState&
   try {
     session.change(second.view, second.settings());
     techniques_.update(session, second.techniques);
-    if (!has_history(session, techniques_)) --settling_;
+    if (!techniques_.has_history()) --settling_;
     recorder.begin();
     session.record_frame(recorder, techniques_.techniques());
     record_error(recorder, session.frame());

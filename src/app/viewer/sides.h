@@ -45,6 +45,7 @@ class Sides {
   void toggle_error() { error_ = !error_; }
   // The session's frame is made again: nothing of the old one may be held.
   void forget() { techniques_.clear(), second_key_.clear(), score_ = {}, reference_.reset(); }
+  bool second_settings() const { return second_ == SecondSide::settings; }
   bool wants_reference() const { return second_ == SecondSide::reference || error_ || scores_; }
   bool waits_for_reference() const { return wants_reference() && !(reference_ && reference_->complete()); }
 

@@ -35,6 +35,7 @@ void StatusFile::write(const ViewStatus& status) {
                                {"message", status.message},
                                {"vsync", status.vsync},
                                {"loading", status.loading},
+                               {"full_maps", status.full_maps},
                                {"widgets", std::exchange(widgets_, nlohmann::json::object())},
                                {"texts", std::exchange(texts_, nlohmann::json::object())}};
   write_file(path_, json.dump(1));

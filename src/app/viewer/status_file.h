@@ -18,6 +18,7 @@ struct ViewStatus {
   std::string message;              // on screen; empty: none
   bool vsync = true;
   bool loading = false;             // a scene is being read; the former is still shown
+  bool full_maps = true;            // the picture's maps are those in force (Pace)
 };
 
 class StatusFile {

@@ -1,12 +1,15 @@
 #include "app/viewer/technique_set.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/viewer/view_state.h"
 #include "base/error.h"
 
 namespace gnomon::viewer {
 namespace {
+
+constexpr double k_least_map = 64.0;  // texels along a side
 
 bool needs_rebuild(const SettingsMap& old_settings, const SettingsMap& new_settings) {
   for (const auto& [id, block] : new_settings) {
@@ -16,6 +19,15 @@ bool needs_rebuild(const SettingsMap& old_settings, const SettingsMap& new_setti
     }
   }
   return false;
+}
+
+// The side of a map is the parameter `size` of its projection, the block named before the slash.
+void divide_map_size(SettingsMap& settings, const TechniqueSpec& spec, uint32_t divisor) {
+  const size_t slash = spec.name.find('/');
+  if (divisor == 1 || slash == std::string::npos) return;
+  ParamBlock& block = settings.at(spec.name.substr(0, slash));
+  const double size = std::max(std::floor(block.number("size") / divisor), k_least_map);
+  block.set_number("size", std::min(size, block.number("size")), spec.name + ".size");
 }
 
 }  // namespace
@@ -30,7 +42,14 @@ bool TechniqueSet::builds(std::span<const Light> lights, const std::vector<std::
   return false;
 }
 
-void TechniqueSet::update(Session& session, const std::vector<std::string>& names) {
+bool TechniqueSet::has_history() const {
+  return std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) {
+    const auto temporal = entry.settings.find("temporal");
+    return temporal != entry.settings.end() && temporal->second.number("history") > 0.0;
+  });
+}
+
+void TechniqueSet::update(Session& session, const std::vector<std::string>& names, uint32_t map_divisor) {
   const auto lights = session.frame().lights();
   std::vector<Entry> next(lights.size());
   std::vector<std::unique_ptr<Technique>> made(lights.size());
@@ -40,6 +59,7 @@ void TechniqueSet::update(Session& session, const std::vector<std::string>& name
     entry.spec = technique_for(names, lights[i].kind);
     if (!entry.spec) fail_device("light '{}': none of the techniques supports {} lights", lights[i].name, light_kind_name(lights[i].kind));
     entry.settings = session.settings_of(*entry.spec, i);
+    divide_map_size(entry.settings, *entry.spec, map_divisor);
     const Entry* old = i < entries_.size() ? &entries_[i] : nullptr;
     if (old && old->spec == entry.spec && !needs_rebuild(old->settings, entry.settings)) {
       entry.bytes = old->bytes;

@@ -21,6 +21,8 @@ namespace {
 constexpr std::chrono::milliseconds k_size_settles{200};
 // Of the picture on a software device, before anything is measured.
 constexpr float k_software_start = 0.35f;
+// Of a slow view's picture at rest, at least.
+constexpr float k_rest_scale = 0.5f;
 // The longest step of the camera: after a slow frame it does not leap.
 constexpr float k_longest_step_s = 0.25f;
 // Between pictures while a report is measured on the same device.
@@ -149,7 +151,8 @@ void Viewer::draw() {
   // While something is to be built, the state is still the one before: no new step.
   if (!building_) state_panels_.remember(state_);
   state_panels_.follow_camera(camera_, *session_);
-  follow_size();
+  choose_draws();
+  if (follow_size() && pace_.last() == Pace::Draws::nothing) pace_.draw_again();
   shaders_.update([&] { rebuild(); });
 
   record();
@@ -158,8 +161,8 @@ void Viewer::draw() {
   screen_.swapchain.set_vsync(wishes_.vsync);
   screen_.swapchain.present(screen_.canvas.image());
   // A reference is for one size: while it is wanted, only a camera that moves changes it.
-  if (!sides_.wants_reference() || !same_view) render_scale_.add_frame(work.count());
-  guarded([&] { sides_.follow(*session_); });
+  follow_pace(work.count(), !sides_.wants_reference() || !same_view);
+  if (!draws_small_maps()) guarded([&] { sides_.follow(*session_); });
   hand_out();
   if (says_what_is_built) {
     const ViewState built = *std::exchange(building_, std::nullopt);
@@ -169,6 +172,7 @@ void Viewer::draw() {
 
 void Viewer::show_interface(ViewState& next) {
   panels_.set_speed(camera_.camera().speed());
+  panels_.set_map_divisor(pace_.slow() ? pace_.divisor() : 1);
   if (wishes_.interface) {
     if (begin_main_panel()) {
       if (const auto scene = scene_panel_.show(state_.view.scene, recent_)) open(*scene);
@@ -200,25 +204,78 @@ void Viewer::record() {
     timings_.clear();
   }
   draw_second();
+  if (pace_.draws_once()) draw_once();
+  const bool draws = pace_.last() != Pace::Draws::nothing;
   recorder_->begin();
-  session_->record_frame(*recorder_, techniques_.techniques());
-  explain_.record(*recorder_, *session_, techniques_);
-  sides_.record_error(*recorder_, session_->frame());
-  screen_.canvas.record_picture(*recorder_, session_->frame(), 0);
+  if (draws) record_picture(*recorder_);
   screen_.canvas.record_window(*recorder_, sides_.divider(), interface_, explain_.uses());
-  timings_.add(recorder_->finish());
+  const FrameResult result = recorder_->finish();
+  // The time of another frame is not that of its techniques.
+  if (draws && !draws_small_maps()) timings_.add(result);
   guarded([&] { explain_.collect(*session_, techniques_); });
+}
+
+void Viewer::record_picture(Recorder& recorder) {
+  session_->record_frame(recorder, (draws_small_maps() ? small_ : techniques_).techniques());
+  explain_.record(recorder, *session_, techniques_);
+  sides_.record_error(recorder, session_->frame());
+  screen_.canvas.record_picture(recorder, session_->frame(), 0);
+}
+
+// Ends between two passes where the user does something meanwhile.
+void Viewer::draw_once() {
+  if (!patient_) {
+    patient_ = std::make_unique<Recorder>(device_, TimingMode::play, true);
+    patient_->give_up_when([this] { return window_.has_input(); });
+  }
+  try {
+    patient_->begin();
+    record_picture(*patient_);
+    patient_->finish();
+    pace_.done();
+  } catch (const GivenUp&) {
+    pace_.give_up();
+  }
+}
+
+void Viewer::choose_draws() {
+  const bool changed = !drawn_ || !drawn_->same_picture(state_);
+  if (changed) drawn_ = state_;
+  // What is explained, set beside another, measured or taken home is drawn in full.
+  const bool taken = wishes_.screenshot || outputs_.wants_frame() || !options_.screenshot.empty();
+  const bool measured = measure_.open() || wishes_.separate_passes;
+  const bool compared = sides_.second_settings() || explain_.reads_frame();
+  const bool may_shrink = wishes_.adapt_size && !taken && !measured && !compared && !techniques_.has_history();
+  pace_.next(changed, may_shrink, may_shrink && !sides_.wants_reference(), last_frame_);
+}
+
+void Viewer::follow_pace(float work_ms, bool size_is_free) {
+  const bool was_slow = pace_.slow();
+  const uint32_t divisor = pace_.divisor();
+  pace_.add_frame(work_ms, wishes_.target_ms);
+  if (was_slow != pace_.slow()) {
+    render_scale_.forget();
+    render_scale_.set_least(pace_.slow() ? RenderScale::k_least_moving : RenderScale::k_least);
+  }
+  if (!pace_.slow()) {
+    small_.clear();
+  } else if (!was_slow || divisor != pace_.divisor()) {
+    if (!guarded([&] { small_.update(*session_, state_.techniques, pace_.divisor()); })) pace_.forget();
+  }
+  // Of a slow view, it is the frames while something changes that must be fast.
+  const bool counts = !pace_.slow() || draws_small_maps();
+  if (size_is_free && counts) render_scale_.add_frame(work_ms);
 }
 
 // What leaves the window: pictures, clips, the clipboard, the status file.
 void Viewer::hand_out() {
   if (std::exchange(wishes_.screenshot, false)) outputs_.want_picture(".png");
-  outputs_.take(state_, *session_);
+  if (!draws_small_maps()) outputs_.take(state_, *session_);
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), command().c_str());
   if (!status_.on()) return;
   const std::string& shown = !message_.empty() ? message_ : !shaders_.message().empty() ? shaders_.message() : outputs_.message();
   status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), shown, screen_.swapchain.vsync(),
-                 opening_.has_value()});
+                 opening_.has_value(), pace_.shows_full()});
 }
 
 void Viewer::draw_second() {
@@ -262,13 +319,14 @@ void Viewer::apply(const ViewState& wanted) {
   ViewState next = wanted;
   settle_samples(next.view, device_.info());
   const auto change = [this](const ViewState& state) {
-    if (session_->needs_new_frame(state.view, state.settings())) techniques_.clear(), sides_.forget();
+    if (session_->needs_new_frame(state.view, state.settings())) techniques_.clear(), small_.clear(), sides_.forget();
     session_->change(state.view, state.settings());
   };
   const bool done = guarded([&] {
     change(next);
     techniques_.update(*session_, next.techniques);
-    if (next.techniques != state_.techniques) timings_.clear(), render_scale_.forget();
+    if (next.techniques != state_.techniques) timings_.clear(), render_scale_.forget(), pace_.forget(), small_.clear();
+    if (pace_.slow()) small_.update(*session_, next.techniques, pace_.divisor());
     const bool other_settings = next.edits != state_.edits || next.base.assignments() != state_.base.assignments();
     if (other_settings || next.view.samples != state_.view.samples) timings_.change();
     state_ = next;
@@ -277,13 +335,17 @@ void Viewer::apply(const ViewState& wanted) {
   if (done) return;
   change(state_);
   techniques_.update(*session_, state_.techniques);
+  if (pace_.slow()) small_.update(*session_, state_.techniques, pace_.divisor());
 }
 
 uvec2 Viewer::wanted_size() const {
-  return scaled(window_.size(), wishes_.adapt_size ? render_scale_.scale() : wishes_.scale);
+  if (!wishes_.adapt_size) return scaled(window_.size(), wishes_.scale);
+  // Of a slow view the picture at rest is drawn once: it may take longer.
+  const bool stays = pace_.slow() && !draws_small_maps();
+  return scaled(window_.size(), stays ? std::max(render_scale_.scale(), k_rest_scale) : render_scale_.scale());
 }
 
-void Viewer::follow_size() {
+bool Viewer::follow_size() {
   render_scale_.set_target(wishes_.target_ms);
   if (wishes_.adapt_size) wishes_.scale = render_scale_.scale();
   // While a window is dragged to another size the old picture is stretched.
@@ -291,10 +353,10 @@ void Viewer::follow_size() {
   const auto now = std::chrono::steady_clock::now();
   if (window != last_window_) last_window_ = window, window_changed_ = now;
   const uvec2 wanted = wanted_size();
-  if (wanted == session_->options().size || wanted == refused_size_ || now - window_changed_ < k_size_settles) return;
-  if (outputs_.recording()) return;
+  if (wanted == session_->options().size || wanted == refused_size_ || now - window_changed_ < k_size_settles) return false;
+  if (outputs_.recording()) return false;
   refused_size_ = wanted;  // unless it goes well: the old size is then stretched to the window
-  guarded([&] {
+  return guarded([&] {
     session_->resize(wanted);
     state_.view.size = wanted;
     refused_size_.reset();
@@ -310,6 +372,8 @@ std::string Viewer::command() const { return state_.command(session_->options().
 
 void Viewer::rebuild() {
   techniques_.clear();
+  small_.clear();
+  pace_.forget();
   sides_.forget();
   explain_.rebuild(interface_.render_pass());
   session_->rebuild();

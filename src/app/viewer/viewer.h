@@ -11,6 +11,7 @@
 #include "app/viewer/opening.h"
 #include "app/viewer/measure_panel.h"
 #include "app/viewer/outputs.h"
+#include "app/viewer/pace.h"
 #include "app/viewer/panels.h"
 #include "app/viewer/render_scale.h"
 #include "app/viewer/scene_panel.h"
@@ -54,6 +55,11 @@ class Viewer {
   void draw();
   void show_interface(ViewState& next);
   void record();
+  void choose_draws();
+  bool draws_small_maps() const { return pace_.last() == Pace::Draws::small_maps; }
+  void record_picture(Recorder& recorder);
+  void draw_once();
+  void follow_pace(float work_ms, bool size_is_free);
   void hand_out();
   void draw_second();
   bool guarded(const std::function<void()>& work);  // false where it threw what is now shown
@@ -64,7 +70,7 @@ class Viewer {
   void apply(const ViewState& wanted);
   uvec2 wanted_size() const;
   std::string command() const;  // `gnomon render ...` of the picture, without its output
-  void follow_size();
+  bool follow_size();  // whether the picture has another size
   void open(const std::string& scene);
   void follow_drops();
   void rebuild();
@@ -79,6 +85,9 @@ class Viewer {
   ViewState state_;
   std::unique_ptr<Session> session_;
   TechniqueSet techniques_;
+  TechniqueSet small_;  // the same with smaller maps, where the view is slow
+  Pace pace_;
+  std::optional<ViewState> drawn_;  // in the last frame
   Interface& interface_;
   StatusFile status_;
   Panels panels_;
@@ -89,6 +98,7 @@ class Viewer {
   MeasurePanel measure_;
   Outputs outputs_;
   std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<Recorder> patient_;  // of the picture that stays
   bool recorder_separates_ = false;
   std::string message_;
   Sides sides_;

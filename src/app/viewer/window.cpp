@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>  // after Vulkan's header: it then declares what concerns Vulkan
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 
@@ -42,11 +43,16 @@ Window::Window(uvec2 size, const std::string& title) {
   }
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
-    if (action == GLFW_PRESS) static_cast<Window*>(glfwGetWindowUserPointer(window))->pressed_.push_back(key);
+    if (action == GLFW_PRESS) of(window).pressed_.push_back(key);
+    of(window).input_ = true;
   });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { of(window).input_ = true; });
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { of(window).input_ = true; });
+  glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) { of(window).input_ = true; });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { of(window).input_ = true; });
   glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
-    auto& dropped = static_cast<Window*>(glfwGetWindowUserPointer(window))->dropped_;
-    dropped.insert(dropped.end(), paths, paths + count);
+    of(window).dropped_.insert(of(window).dropped_.end(), paths, paths + count);
+    of(window).input_ = true;
   });
   mouse_ = pointer(window_);
 }
@@ -95,9 +101,18 @@ float Window::interface_scale() const {
 bool Window::closing() const { return glfwWindowShouldClose(window_); }
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 
+Window& Window::of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+bool Window::has_input() {
+  if (!std::exchange(looked_ahead_, true)) pressed_.clear(), dropped_.clear();
+  glfwPollEvents();
+  return input_;
+}
+
 void Window::poll(bool wait) {
-  pressed_.clear();
-  dropped_.clear();
+  // What has_input took is of this frame.
+  if (!std::exchange(looked_ahead_, false)) pressed_.clear(), dropped_.clear();
+  input_ = false;
   wait ? glfwWaitEventsTimeout(0.1) : glfwPollEvents();
   const vec2 now = pointer(window_);
   motion_ = now - mouse_;

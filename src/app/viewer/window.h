@@ -32,6 +32,9 @@ class Window {
 
   // Takes what the user did since the last call; `wait` sleeps until there is something, 0.1 s at most.
   void poll(bool wait);
+  // Whether the user did something that the next poll will take; to be asked when this frame's keys have been read. A pointer that only
+  // moves does not count.
+  bool has_input();
   // Since the last poll; keys are GLFW's.
   bool pressed(int key) const;
   // Now, or for a moment since the last poll: no short press is lost in a slow frame.
@@ -45,11 +48,14 @@ class Window {
   const std::vector<std::string>& dropped() const { return dropped_; }
 
  private:
+  static Window& of(GLFWwindow* window);
+
   GLFWwindow* window_ = nullptr;
   std::vector<int> pressed_;
   std::vector<std::string> dropped_;
   vec2 mouse_ = vec2(0.0f), motion_ = vec2(0.0f);
   bool captured_ = false;
+  bool input_ = false, looked_ahead_ = false;
 };
 
 }  // namespace gnomon::viewer

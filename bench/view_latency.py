@@ -1,0 +1,126 @@
+"""How long the viewer takes from a key to another picture in its window, for each technique, under Xvfb.
+
+usage: GNOMON=build/release/bin/gnomon bench/view_latency.py [-n KEYS] [-s SCENE] [TECHNIQUE...]
+
+A window of 1280 x 720 shows the scene with default settings, and is given time to choose the picture's size. Then the camera's keys are pressed
+and held for half a second. The clock runs until a strip in the middle of the window differs:
+  rest     from a key, pressed at some moment while the picture is complete, to the first other picture
+  moving   between two pictures while the key is held; input waits for two of them at most
+  early    as rest, but pressed soon after the last key, when the viewer may be drawing the complete picture (no goal)
+Milliseconds, median and longest. Not a test: times belong to the machine. Goal: rest below 100 ms, moving below 50 ms (median).
+"""
+import argparse
+import pathlib
+import random
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "tests" / "window"))
+from desktop import Desktop  # noqa: E402
+from display import Display  # noqa: E402
+from viewer import PROGRAM, Viewer  # noqa: E402
+from Xlib import X  # noqa: E402
+
+SETTLED_S = 4  # without another size of the picture
+LONGEST_S = 60
+HELD_S = 0.5
+POLL_S = 0.004
+GOAL_MS = 100
+# There and back, so that all frames show about the same.
+KEYS = ["w", "s"]
+
+
+def techniques():
+    listed = subprocess.run([PROGRAM, "list", "techniques"], capture_output=True, text=True, check=True).stdout
+    return [line.split()[0] for line in listed.splitlines()]
+
+
+def strip(viewer):
+    """Pixels in the middle of the window, beside the panels."""
+    return viewer.window.get_image(420, 380, 440, 12, X.ZPixmap, 0xFFFFFFFF).data
+
+
+def settle(viewer):
+    """Waits until the picture keeps its size."""
+    end = time.monotonic() + LONGEST_S
+    size, since = None, time.monotonic()
+    while time.monotonic() < min(end, since + SETTLED_S):
+        time.sleep(0.1)
+        now = viewer.status()["picture_size"]
+        if now != size:
+            size, since = now, time.monotonic()
+
+
+def until_other(viewer, before):
+    """Milliseconds until the strip differs, and what it is then."""
+    start = time.monotonic()
+    while (now := strip(viewer)) == before:
+        if time.monotonic() > start + 20:
+            raise AssertionError("the key changes nothing")
+        time.sleep(POLL_S)
+    return 1000 * (time.monotonic() - start), now
+
+
+def press(viewer, key, moving):
+    """Milliseconds to the first picture; those between the next ones go to `moving`."""
+    before = strip(viewer)
+    viewer.desktop.key(key, True)
+    first, picture = until_other(viewer, before)
+    end = time.monotonic() + HELD_S
+    while time.monotonic() < end:
+        ms, picture = until_other(viewer, picture)
+        moving.append(ms)
+    viewer.desktop.key(key, False)
+    return first
+
+
+def measure(display, folder, scene, technique, count):
+    viewer = Viewer(display, Desktop(display.name), folder, scene, "--size", "1280x720", "--technique", technique,
+                    environment={"GNOMON_VALIDATE": "0"})
+    try:
+        viewer.open()
+        settle(viewer)
+        moving, rest, early = [], [], []
+        press(viewer, KEYS[0], [])  # smaller maps are made
+        press(viewer, KEYS[1], [])
+        settle(viewer)
+        for i in range(count):
+            time.sleep(0.1)
+            viewer.until(lambda status: status["full_maps"], "the complete picture")
+            time.sleep(random.uniform(0.1, 0.3))
+            rest.append(press(viewer, KEYS[i % 2], moving))
+        for i in range(count):
+            time.sleep(random.uniform(0.15, 0.6))
+            early.append(press(viewer, KEYS[i % 2], []))
+        size = viewer.status()["picture_size"]
+        columns = "".join(f"{statistics.median(times):8.0f}{max(times):6.0f}" for times in (rest, moving, early))
+        met = max(rest) < GOAL_MS and statistics.median(moving) < GOAL_MS / 2
+        print(f"{technique:34} {size[0]:4} x {size[1]:<4}{columns}{'' if met else '  over the goal'}", flush=True)
+        return met
+    finally:
+        viewer.kill()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("-n", type=int, default=10, help="keys for each technique")
+    parser.add_argument("-s", "--scene", default="courtyard")
+    parser.add_argument("techniques", nargs="*", help="default: all")
+    options = parser.parse_args()
+    print(f"{'technique':34} {'moving':11}{'rest':>14}{'moving':>14}{'early':>14}")
+    with tempfile.TemporaryDirectory() as folder:
+        display = Display(folder, "1400x900x24")
+        try:
+            met = [measure(display, folder, options.scene, name, options.n) for name in options.techniques or techniques()]
+        finally:
+            display.close()
+    print(f"{sum(met)} of {len(met)} reach the goal")
+    return 0 if all(met) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

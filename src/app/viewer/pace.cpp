@@ -1,0 +1,32 @@
+#include "app/viewer/pace.h"
+
+#include <algorithm>
+
+namespace gnomon::viewer {
+
+Pace::Draws Pace::next(bool changed, bool may_shrink, bool may_stay, Clock::time_point now) {
+  if (changed) changed_at_ = now;
+  const bool rests = now - changed_at_ >= k_rest;
+  last_ = Draws::full;
+  if (slow_ && may_shrink && !rests) last_ = Draws::small_maps;
+  if (slow_ && may_stay && rests && current_) last_ = Draws::nothing;
+  // A picture that may not stay has something on it that the next one may not have.
+  current_ = last_ != Draws::small_maps && may_stay;
+  return last_;
+}
+
+void Pace::add_frame(float ms, float target_ms) {
+  if (target_ms != target_ms_) forget();
+  target_ms_ = target_ms;
+  if (last_ == Draws::nothing) return;
+  over_ = ms > k_tolerance * target_ms ? over_ + 1 : 0;
+  if (over_ < k_frames) return;
+  over_ = 0;
+  if (!slow_) {
+    slow_ = true;
+  } else if (last_ == Draws::small_maps) {
+    divisor_ = std::min(2 * divisor_, k_last_divisor);
+  }
+}
+
+}  // namespace gnomon::viewer

@@ -1,0 +1,52 @@
+// What a frame draws, so that input is answered in time where drawing everything takes too long.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace gnomon::viewer {
+
+// The picture's size does not help where the maps alone take longer than a frame may (a CPU, moments, many lights). Such a view is slow:
+// while something changes its maps are smaller ones; once it rests it is drawn in full, and that picture stays.
+class Pace {
+ public:
+  enum class Draws { full, small_maps, nothing };
+  using Clock = std::chrono::steady_clock;
+
+  // What the coming frame draws. `changed`: it shows something else than the last one. What it may do without: maps in full size; being
+  // drawn at all, where the last picture is the same.
+  Draws next(bool changed, bool may_shrink, bool may_stay, Clock::time_point now);
+  // The picture that was to stay is gone.
+  void draw_again() { last_ = Draws::full; }
+  // Whether it is the picture that is to stay: as nothing hurries it, input may end it.
+  bool draws_once() const { return slow_ && current_ && last_ == Draws::full; }
+  void done() { last_ = Draws::nothing; }
+  void give_up() { last_ = Draws::nothing, current_ = false; }
+  // Whether the window shows a picture with maps in full size.
+  bool shows_full() const { return current_ || last_ == Draws::full; }
+  // How long it took, from input to picture.
+  void add_frame(float ms, float target_ms);
+  // What was measured belongs to other settings.
+  void forget() { *this = Pace(); }
+
+  bool slow() const { return slow_; }
+  Draws last() const { return last_; }
+  // Sides of the smaller maps are those in force divided by this.
+  uint32_t divisor() const { return divisor_; }
+
+ private:
+  static constexpr std::chrono::milliseconds k_rest{200};
+  static constexpr float k_tolerance = 1.25f;  // of the target: the picture's size is chosen in steps
+  static constexpr int k_frames = 4;           // that agree: one slow frame may be somebody else's doing
+  static constexpr uint32_t k_first_divisor = 4, k_last_divisor = 8;
+
+  bool slow_ = false;
+  bool current_ = false;  // the last full picture is of what is shown
+  Draws last_ = Draws::full;
+  float target_ms_ = 0.0f;
+  int over_ = 0;
+  uint32_t divisor_ = k_first_divisor;
+  Clock::time_point changed_at_;
+};
+
+}  // namespace gnomon::viewer

@@ -1,0 +1,116 @@
+// What a slow view draws, frame by frame.
+#include "app/viewer/pace.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon::viewer {
+namespace {
+
+using Draws = Pace::Draws;
+
+// Frames of 10 ms.
+struct Clock {
+  Pace pace;
+  Pace::Clock::time_point now = Pace::Clock::time_point() + std::chrono::hours(1);
+
+  Draws frame(bool changed, float ms, bool may_shrink = true, bool may_stay = true) {
+    now += std::chrono::milliseconds(10);
+    const Draws draws = pace.next(changed, may_shrink, may_stay, now);
+    if (pace.draws_once()) pace.done();
+    pace.add_frame(ms, 40.0f);
+    return draws;
+  }
+  // The last of so many.
+  Draws frames(int count, bool changed, float ms, bool may_shrink = true, bool may_stay = true) {
+    Draws draws = Draws::full;
+    for (int i = 0; i < count; ++i) draws = frame(changed, ms, may_shrink, may_stay);
+    return draws;
+  }
+  void become_slow() { frames(5, false, 200.0f); }
+};
+
+TEST(Pace, AFastViewIsDrawnInFull) {
+  Clock clock;
+  for (const bool changed : {false, true, false}) {
+    EXPECT_EQ(clock.frames(100, changed, 45.0f), Draws::full);
+    EXPECT_FALSE(clock.pace.slow());
+  }
+}
+
+TEST(Pace, OneLongFrameDoesNotMakeAViewSlow) {
+  Clock clock;
+  for (int i = 0; i < 20; ++i) {
+    clock.frames(3, false, 300.0f);
+    clock.frame(false, 20.0f);
+  }
+  EXPECT_FALSE(clock.pace.slow());
+}
+
+TEST(Pace, ASlowViewHasSmallMapsWhileItMovesAndIsDrawnOnceAtRest) {
+  Clock clock;
+  clock.become_slow();
+  EXPECT_TRUE(clock.pace.slow());
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(clock.frame(true, 30.0f), Draws::small_maps) << "at once";
+    EXPECT_FALSE(clock.pace.shows_full());
+    EXPECT_EQ(clock.frames(50, true, 30.0f), Draws::small_maps);
+    int full = 0, last_full = 0;
+    for (int i = 0; i < 60; ++i) {
+      const Draws draws = clock.frame(false, 200.0f);
+      if (draws == Draws::full) ++full, last_full = i;
+    }
+    EXPECT_EQ(full, 1);
+    EXPECT_NEAR(last_full, 20, 1) << "200 ms after the last change";
+    EXPECT_TRUE(clock.pace.shows_full());
+  }
+}
+
+TEST(Pace, WhatIsGivenUpIsDrawnAgain) {
+  Clock clock;
+  clock.become_slow();
+  clock.frame(true, 30.0f);
+  clock.now += std::chrono::seconds(1);
+  EXPECT_EQ(clock.pace.next(false, true, true, clock.now), Draws::full);
+  EXPECT_TRUE(clock.pace.draws_once());
+  clock.pace.give_up();
+  EXPECT_FALSE(clock.pace.shows_full());
+  EXPECT_EQ(clock.frame(false, 200.0f), Draws::full);
+  EXPECT_EQ(clock.frame(false, 200.0f), Draws::nothing);
+}
+
+TEST(Pace, WhatIsLookedAtIsDrawnInFull) {
+  Clock clock;
+  clock.become_slow();
+  EXPECT_EQ(clock.frames(10, true, 200.0f, false, false), Draws::full);
+  EXPECT_EQ(clock.frames(100, false, 200.0f, false, false), Draws::full);
+  EXPECT_FALSE(clock.pace.draws_once()) << "its overlays would stay";
+  // What had an overlay does not stay.
+  EXPECT_EQ(clock.frame(false, 200.0f), Draws::full);
+  EXPECT_EQ(clock.frame(false, 200.0f), Draws::nothing);
+  // A reference is compared with the picture at rest only.
+  EXPECT_EQ(clock.frames(10, true, 30.0f, true, false), Draws::small_maps);
+  EXPECT_EQ(clock.frames(100, false, 200.0f, true, false), Draws::full);
+}
+
+TEST(Pace, MapsBecomeSmallerWhereThatIsNotEnough) {
+  Clock clock;
+  clock.become_slow();
+  const uint32_t first = clock.pace.divisor();
+  clock.frames(4, true, 80.0f);
+  EXPECT_EQ(clock.pace.divisor(), 2 * first);
+  clock.frames(400, true, 80.0f);
+  EXPECT_EQ(clock.pace.divisor(), 2 * first) << "smaller ones show nothing";
+  clock.pace.forget();
+  EXPECT_EQ(clock.pace.divisor(), first);
+  EXPECT_FALSE(clock.pace.slow());
+}
+
+TEST(Pace, AnotherTargetBeginsAnew) {
+  Clock clock;
+  clock.become_slow();
+  clock.pace.add_frame(100.0f, 200.0f);
+  EXPECT_FALSE(clock.pace.slow());
+}
+
+}  // namespace
+}  // namespace gnomon::viewer

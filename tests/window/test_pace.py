@@ -1,0 +1,82 @@
+"""A view whose maps take longer than a frame may: smaller ones while it moves, the whole picture when it rests."""
+import unittest
+
+from case import WindowCase, png
+from viewer import difference, part
+
+# Nothing is fast enough for this target.
+SLOW = ["--size", "900x500", "--frame-ms", "5", "--technique", "cascaded/vsm", "--set", "cascaded.size=512"]
+
+
+class Pace(WindowCase):
+    def slow_view(self):
+        viewer = self.open("courtyard", *SLOW)
+        # Some frames are measured first.
+        viewer.until_text("small_maps", lambda text: text == "1/4" or text == "1/8")
+        return viewer
+
+    def resting(self, viewer):
+        return viewer.until(lambda status: status["full_maps"], "the whole picture", 120)
+
+    def test_smaller_while_it_moves_and_whole_at_rest(self):
+        viewer = self.slow_view()
+        resting_size = self.resting(viewer)["picture_size"]
+        viewer.desktop.key("w", True)
+        moving = viewer.until(lambda status: not status["full_maps"], "smaller maps")
+        self.assertIn("--set cascaded.size=512", moving["command"], "what is said is what is in force")
+        smaller = viewer.until(lambda status: status["picture_size"][0] < resting_size[0], "a smaller picture")
+        self.assertFalse(smaller["full_maps"])
+        viewer.desktop.key("w", False)
+        status = self.resting(viewer)
+        self.assertEqual(status["picture_size"], resting_size)
+        # At rest the window goes on: panels answer, the picture stays.
+        viewer.frames()
+        before = self.beside_panels(viewer.picture())
+        viewer.frames(5)
+        self.assertEqual(difference(self.beside_panels(viewer.picture()), before), 0.0)
+        self.close(viewer)
+
+    def test_what_is_taken_is_the_picture_in_force(self):
+        viewer = self.slow_view()
+        viewer.hold("s", frames=3)
+        viewer.press("F12")
+        viewer.wait(lambda: (self.folder / "gnomon_0000.png").is_file(), "the picture")
+        self.resting(viewer)
+        taken = png.read(self.folder / "gnomon_0000.png")
+        drawn = self.render(viewer.status()["command"], self.folder / "drawn.png")
+        self.assertLess(difference(taken, drawn), 0.5)
+        self.close(viewer)
+
+    def test_a_parameter_counts_in_the_picture_at_rest(self):
+        viewer = self.slow_view()
+        self.resting(viewer)
+        before = viewer.picture()
+        viewer.search("bleeding")
+        viewer.slide("vsm.bleeding", 0.95)
+        viewer.until(lambda status: "vsm.bleeding" in status["command"], "the parameter")
+        self.resting(viewer)
+        viewer.search("no parameter")
+        self.assertGreater(difference(self.beside_panels(viewer.picture()), self.beside_panels(before)), 0.5)
+        # Another technique begins anew.
+        viewer.choose("technique", "single/hard")
+        viewer.until_command("--technique single/hard", seconds=120)
+        viewer.until_text("small_maps", lambda text: text in ("1/4", "1/8"))
+        self.close(viewer)
+
+    def test_maps_that_are_looked_at_are_those_in_force(self):
+        viewer = self.slow_view()
+        viewer.press("m")
+        viewer.desktop.key("w", True)
+        for _ in range(5):
+            viewer.frames(1)
+            self.assertTrue(viewer.status()["full_maps"])
+        viewer.desktop.key("w", False)
+        self.close(viewer)
+
+    def beside_panels(self, picture):
+        width, height, _ = picture
+        return part(picture, 400, 60, width - 20, height - 10)
+
+
+if __name__ == "__main__":
+    unittest.main()
