@@ -98,6 +98,17 @@ class Desktop:
         xtest.fake_input(self.connection, X.ButtonPress if down else X.ButtonRelease, number)
         self.connection.sync()
 
+    # How large things are.
+
+    def set_dpi(self, dpi):
+        """Of programs that are started from now on: 96 is usual. None: it is not said."""
+        name = self.atom("RESOURCE_MANAGER")
+        if dpi is None:
+            self.root.delete_property(name)
+        else:
+            self.root.change_property(name, Xatom.STRING, 8, f"Xft.dpi:\t{dpi}\n".encode())
+        self.connection.sync()
+
     # What can be seen and what was copied.
 
     def origin(self, window):

@@ -2,9 +2,12 @@
 import json
 import pathlib
 import re
+import shlex
+import subprocess
 import unittest
 
 from case import WIDE, WindowCase, png
+from viewer import PROGRAM
 
 SLAB = [*WIDE, "--technique", "single/pcf", "--set", "single.size=256"]
 
@@ -49,6 +52,9 @@ class Measure(WindowCase):
         self.assertNotEqual(first[2], last[2])
         viewer.click("picture_exr")
         viewer.wait((self.folder / "gnomon_0000.exr").is_file, "the linear picture")
+        words = shlex.split(viewer.status()["command"])
+        subprocess.run([PROGRAM, *words[1:], "-o", "drawn.exr"], cwd=self.folder, check=True, capture_output=True)
+        self.assertEqual((self.folder / "gnomon_0000.exr").read_bytes(), (self.folder / "drawn.exr").read_bytes())
 
         viewer.click("add_to_comparison")
         viewer.until_text("comparison", lambda text: text == "1 rows")

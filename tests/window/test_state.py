@@ -148,6 +148,31 @@ class State(WindowCase):
         self.assertEqual(viewer.status()["message"], "")
         self.close(viewer)
 
+    def test_lights_that_aim(self):
+        """A spot and a projector: their place and what they aim at are dragged apart from each other."""
+        viewer = self.open("chart/sphere", *WIDE, "--technique", "single/pcf", "--set", "single.size=256")
+        viewer.section("Lights")
+        for kind in ("spot", "projector"):
+            viewer.click(f"add_light:{kind}")
+            before = self.light(viewer, kind)
+            self.drag_by(viewer, "aim_handle", 40, -20)
+            aimed = viewer.wait(lambda: self.light(viewer, kind) != before and self.light(viewer, kind), "another aim")
+            self.assertEqual(place(aimed), place(before), "it stands where it stood")
+            self.assertNotEqual(aim(aimed), aim(before))
+            self.drag_by(viewer, "lamp_handle", -30, 10)
+            placed = viewer.wait(lambda: self.light(viewer, kind) != aimed and self.light(viewer, kind), "another place")
+            self.assertNotEqual(place(placed), place(aimed))
+            drawn = self.render(viewer.status()["command"], self.folder / f"{kind}.png")
+            self.assertGreater(len(set(drawn[2])), 16, "it lights something")
+            viewer.click("remove_light")
+            viewer.until(lambda status: f"--light {kind}:" not in status["command"], f"no {kind}")
+        self.assertEqual(viewer.status()["message"], "")
+        self.close(viewer)
+
+    def drag_by(self, viewer, handle, x, y):
+        start = viewer.middle(handle)
+        viewer.drag(start, (start[0] + x, start[1] + y))
+
     def light(self, viewer, kind):
         """The text of the first light of a kind."""
         status = viewer.until(lambda status: f"--light {kind}:" in status["command"], f"a {kind} light")
@@ -217,6 +242,11 @@ class State(WindowCase):
 def place(light_text):
     """The first three numbers of a light."""
     return [float(number) for number in light_text.split(":")[0].split(",")[:3]]
+
+
+def aim(light_text):
+    """The second three numbers of a light: what it shines at."""
+    return [float(number) for number in light_text.split(":")[1].split(",")[:3]]
 
 
 def unit(a, b):

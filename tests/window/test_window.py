@@ -39,6 +39,23 @@ class Window(WindowCase):
         viewer.wait(lambda: viewer.stdout().endswith("gnomon_0001.png\n"), "the second name")
         self.close(viewer)
 
+    def test_more_pixels_to_an_inch(self):
+        """Text, widgets and handles grow with the desktop's setting; the picture keeps the window's pixels."""
+        def layout(dpi):
+            self.desktop.set_dpi(dpi)
+            viewer = self.open("courtyard", "--size", "1200x760", "--scale", "0.2", "--technique", "single/hard", "--set", "single.size=256")
+            viewer.click("vsync")  # where it is drawn it can be clicked
+            viewer.until(lambda status: not status["vsync"], "vsync off")
+            status, panel = viewer.status(), viewer.widgets()["panel"]
+            self.close(viewer)
+            left, top, right, bottom = status["widgets"]["screenshot"]
+            return status["picture_size"], right - left, bottom - top, panel[2] - panel[0]
+        self.addCleanup(self.desktop.set_dpi, None)
+        usual, double = layout(96), layout(192)
+        self.assertEqual(usual[0], double[0])
+        for one, two in zip(usual[1:], double[1:]):
+            self.assertAlmostEqual(two / one, 2.0, delta=0.1)
+
     def test_a_folder_that_cannot_be_written(self):
         gone = self.folder / "gone"
         gone.mkdir()

@@ -121,6 +121,7 @@ bool LightGizmo::show_lamp(ListedLight& listed, const ScreenSpace& screen) {
   std::optional<vec3> new_place, new_target;
 
   if (place) note_point("lamp_handle", *place);
+  if (aim) note_point("aim_handle", *aim);
   // Handles that lie on top are asked first.
   if (place && drags(Handle::place, *place, 9.0f * unit()))
     new_place = on_plane(light.position, screen.camera().forward_ws, ray);
