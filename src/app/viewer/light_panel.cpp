@@ -122,9 +122,8 @@ bool LightPanel::edit(ListedLight& listed, const Session& session) {
 }
 
 bool LightPanel::edit_sun(Light& sun, const Session& session) {
-  const glm::dvec3 to_sun = -glm::dvec3(sun.direction);
-  auto azimuth = static_cast<float>(std::atan2(to_sun.x, -to_sun.z)) / k_degree;
-  auto elevation = static_cast<float>(std::atan2(to_sun.y, std::hypot(to_sun.x, to_sun.z))) / k_degree;
+  const glm::dvec2 angles = sun_angles(sun.direction);
+  auto azimuth = static_cast<float>(angles.x), elevation = static_cast<float>(angles.y);
   bool turned = ImGui::SliderFloat("azimuth [degree]", &azimuth, -180.0f, 180.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp);
   note_widget("azimuth");
   turned = ImGui::SliderFloat("elevation [degree]", &elevation, -90.0f, 90.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp) || turned;

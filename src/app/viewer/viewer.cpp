@@ -31,16 +31,6 @@ uvec2 scaled(uvec2 size, float scale) {
   return glm::clamp(uvec2(exact), uvec2(1), uvec2(16384));
 }
 
-// What "up to 8" samples of a preset are on this device: the session's constructor does the same for those it starts with.
-void settle_samples(ViewOptions& view, const DeviceInfo& device) {
-  if (!std::exchange(view.fewer_samples, false)) return;
-  uint32_t offered = 1;
-  for (const int count : device.sample_counts) {
-    if (static_cast<uint32_t>(count) <= view.samples) offered = std::max(offered, static_cast<uint32_t>(count));
-  }
-  view.samples = offered;
-}
-
 }  // namespace
 
 Opened::Opened(Opening& opening, Screen& screen)
