@@ -116,6 +116,18 @@ SunState sun_at(const SunPath& path, double hour) {
           static_cast<float>(path.intensity * strongest / reference)};
 }
 
+NearestHour nearest_hour(const SunPath& path, const vec3& direction) {
+  constexpr int k_steps = 240;
+  NearestHour best = {path.first_hour, 4.0f};
+  for (int i = 0; i <= k_steps; ++i) {
+    const double hour = path.first_hour + (path.last_hour - path.first_hour) * i / k_steps;
+    const glm::dvec3 a(sun_at(path, hour).direction), b(direction);
+    const auto off = static_cast<float>(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+    if (off < best.off) best = {hour, off};
+  }
+  return best;
+}
+
 double hour_at(const SunPath& path, double time_s) {
   return path.first_hour + (path.last_hour - path.first_hour) * std::clamp(time_s / path.duration_s, 0.0, 1.0);
 }

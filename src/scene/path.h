@@ -29,6 +29,12 @@ struct SunState {
 };
 // Hours are clamped to the path's day.
 SunState sun_at(const SunPath& path, double hour);
+// The hour at which the sun of the path stands nearest to where `direction` comes from, to some minutes; and how far off that is, radians.
+struct NearestHour {
+  double hour;
+  float off;
+};
+NearestHour nearest_hour(const SunPath& path, const vec3& direction);
 // The hour that belongs to a time since the path's start.
 double hour_at(const SunPath& path, double time_s);
 // A sun as it was recorded. It passes through every key at its time, along a great circle between two of them; clamped outside.

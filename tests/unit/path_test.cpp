@@ -111,6 +111,16 @@ TEST(sun_path, moves_without_jumps_and_time_runs_through_the_day) {
   }
 }
 
+TEST(sun_path, knows_the_hour_of_its_own_suns_and_how_far_others_are_off) {
+  const SunPath day = day_through("day", sun_toward({0.6f, -0.5f, 0.6f}));
+  for (double hour = day.first_hour; hour <= day.last_hour; hour += 0.37) {
+    const NearestHour nearest = nearest_hour(day, sun_at(day, hour).direction);
+    EXPECT_NEAR(nearest.hour, hour, 0.05);
+    EXPECT_LT(nearest.off, 0.5f * k_pi / 180.0f);
+  }
+  EXPECT_GT(nearest_hour(day, {0, 1, 0}).off, 1.5f);  // from below
+}
+
 TEST(recorded_sun, passes_through_its_keys_and_turns_evenly_between) {
   const RecordedSun path{"mine", {{0.0, {{0, -1, 0}, vec3(1.0f), 4.0f}}, {2.0, {{1, 0, 0}, vec3(0.5f), 2.0f}}}};
   EXPECT_EQ(duration_s(path), 2.0);

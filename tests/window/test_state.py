@@ -219,12 +219,12 @@ class State(WindowCase):
         begin = self.light(viewer, "sun") if "--light sun:" in viewer.status()["command"] else None
         viewer.section("Paths")
         viewer.click("record")
-        viewer.slide("azimuth", 0.7)
-        viewer.slide("azimuth", 0.9)
+        viewer.slide("azimuth", 0.35)
+        viewer.slide("azimuth", 0.2)
         moved = self.light(viewer, "sun")
         self.assertNotEqual(moved, begin)
         viewer.click("stop_recording")
-        viewer.until_text("paths_done", lambda text: text == "of the sun")
+        viewer.until_text("paths_done", lambda text: text == "recorded the sun")
         viewer.click("loop:sun")
         viewer.click("play:sun")
         viewer.until(lambda _: self.light(viewer, "sun") != moved, "the begin of the sun's path")
@@ -236,7 +236,7 @@ class State(WindowCase):
         keys = json.loads((self.folder / "sun.json").read_text(encoding="utf-8"))["sun"]
         self.assertGreater(abs(keys[-1]["azimuth"] - keys[0]["azimuth"]), 10)
         viewer.click("load_path")
-        viewer.until_text("paths_done", lambda text: text == "read sun.json: of the sun")
+        viewer.until_text("paths_done", lambda text: text == "read sun.json: the sun")
         words = [PROGRAM, "render", "chart/sphere", "--size", "64x40", "--technique", "single/hard", "--frames", "2"]
         words += ["--sun-path", "sun.json", "-o", "sun.png"]
         done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=120, check=False)

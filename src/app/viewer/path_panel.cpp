@@ -67,6 +67,10 @@ auto first_sun(std::vector<ListedLight>& lights) {
   return std::find_if(lights.begin(), lights.end(), [](const ListedLight& listed) { return listed.light.kind == LightKind::directional; });
 }
 
+const char* what_moves(const Recording& recording) {
+  return recording.camera && recording.sun ? "camera and sun" : recording.sun ? "the sun" : "the camera";
+}
+
 Moment moment_of(const ViewState& state, const Session& session, const CameraRig& rig) {
   const vec3& eye = rig.camera().eye();
   Moment moment = {{eye, eye + 10.0f * rig.camera().forward()}, std::nullopt};
@@ -161,6 +165,7 @@ void PathPanel::record(const ViewState& state, const Session& session, const Cam
   auto recording = recorder_.stop(fmt::format("recording {}", recorded_ + 1));
   if (!recording) fail_usage("nothing was recorded: neither camera nor sun moved");
   ++recorded_;
+  done_ = fmt::format("recorded {}", what_moves(*recording));
   take(*std::move(recording));
 }
 
@@ -168,7 +173,6 @@ void PathPanel::take(Recording recording) {
   // The last of its list, once that is shown again.
   if (recording.camera) camera_path_ = ~size_t{0}, camera_.time_s = 0.0, camera_.playing = false;
   if (recording.sun) sun_path_ = ~size_t{0}, sun_.time_s = 0.0, sun_.playing = false;
-  done_ = recording.camera && recording.sun ? "of camera and sun" : recording.sun ? "of the sun" : "of the camera";
   own_.push_back(std::move(recording));
 }
 
@@ -178,8 +182,9 @@ void PathPanel::files() {
   note_widget("path_file");
   ImGui::SameLine();
   if (ImGui::Button("load")) {
-    take(read_recording(file_));
-    done_ = fmt::format("read {}: {}", file_, done_);
+    Recording recording = read_recording(file_);
+    done_ = fmt::format("read {}: {}", file_, what_moves(recording));
+    take(std::move(recording));
   }
   note_widget("load_path");
   ImGui::SameLine();
