@@ -37,6 +37,7 @@ struct Opened {
   std::unique_ptr<Session> session;
   ViewState state;
   TechniqueSet techniques;
+  std::vector<std::string> warnings;
 };
 
 // Waits for the first scene behind a window that already answers; nullopt: it was closed meanwhile. Throws what loading threw.
@@ -56,6 +57,8 @@ class Viewer {
   void record();
   void hand_out();
   void draw_second();
+  std::string& failure();          // that is shown now, of whoever failed first; empty: none
+  std::string drawn_over() const;  // the picture, beside what its command draws
   bool guarded(const std::function<void()>& work);  // false where it threw what is now shown
   void handle_keys();
   void move_camera(ViewState& state, float seconds);
@@ -79,6 +82,7 @@ class Viewer {
   ViewState state_;
   std::unique_ptr<Session> session_;
   TechniqueSet techniques_;
+  SharedReference rays_;
   Interface& interface_;
   StatusFile status_;
   Panels panels_;
@@ -90,7 +94,7 @@ class Viewer {
   Outputs outputs_;
   std::unique_ptr<Recorder> recorder_;
   bool recorder_separates_ = false;
-  std::string message_;
+  std::string message_, notice_;
   Sides sides_;
   // To be shown behind the next frame: building it takes a while, and that frame says so.
   std::optional<ViewState> building_;
