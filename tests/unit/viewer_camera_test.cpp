@@ -44,6 +44,17 @@ TEST(CameraRig, flies_where_it_does_not_orbit) {
   EXPECT_GT(rig.camera().speed(), speed);
 }
 
+TEST(CameraRig, the_first_speed_crosses_any_scene_in_twenty_seconds) {
+  for (const float radius_m : {0.5f, 20.0f, 2900.0f}) {
+    CameraRig rig(Camera{}, radius_m);
+    const vec3 begin = rig.camera().eye();
+    CameraInput input;
+    input.move = {0, 0, 1};
+    for (int i = 0; i < 200; ++i) rig.update(input, 0.1f);
+    EXPECT_NEAR(glm::length(rig.camera().eye() - begin), 2.0f * radius_m, 1e-3f * radius_m);
+  }
+}
+
 TEST(SavedCameras, bring_place_and_lens_back) {
   SavedCameras saved;
   ViewState state;
