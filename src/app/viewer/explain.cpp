@@ -163,10 +163,13 @@ void Explain::check_map_layer(const TechniqueSpec& spec, const std::optional<Sha
   const uint32_t layer = *std::exchange(options_.map_layer, std::nullopt);
   if (!map) fail_usage("--map {}: {} has no shadow map; valid: with a technique that has one", layer, spec.name);
   if (layer < map->layers) return;
-  fail_usage("--map {}: valid for {} with these settings: {}", layer, spec.name, map->layers == 1 ? "0" : fmt::format("0 to {}", map->layers - 1));
+  const std::string valid = map->layers == 1 ? "0" : fmt::format("0 to {}", map->layers - 1);
+  fail_usage("--map {}: valid for {} with these settings: {}", layer, spec.name, valid);
 }
 
-std::string Explain::overlay_drawn() const { return overlay_drawn_ ? fmt::format("the overlay '{}'", overlay_title(options_.overlay)) : ""; }
+std::string Explain::overlay_drawn() const {
+  return overlay_drawn_ ? fmt::format("the overlay '{}'", overlay_title(options_.overlay)) : std::string();
+}
 
 void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& techniques) {
   light_ = std::min(light_, session.frame().lights().size() - 1);

@@ -23,7 +23,10 @@ void appear_at(const Place& place) {
   ImGui::SetNextWindowSize(to_imgui(place.size), ImGuiCond_FirstUseEver);
 }
 
-float section_width() { return places_on_screen().tools.size.x - 2.0f * ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize; }
+float section_width() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return places_on_screen().tools.size.x - 2.0f * style.WindowPadding.x - style.ScrollbarSize;
+}
 
 bool begin_section(const char* title, bool open_at_first) {
   const WindowPlaces places = places_on_screen();

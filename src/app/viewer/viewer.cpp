@@ -177,7 +177,10 @@ void Viewer::show_interface(ViewState& next) {
     outputs_.show(next, *session_);
     state_panels_.show(next, camera_, *session_, message_);
   }
-  if (building_) show_notice(fmt::format("building {} ...", fmt::join(names_in_force(building_->techniques, session_->frame().lights()), ", ")));
+  if (building_) {
+    const auto names = names_in_force(building_->techniques, session_->frame().lights());
+    show_notice(fmt::format("building {} ...", fmt::join(names, ", ")));
+  }
   if (opening_) show_progress(opening_->status(), opening_->share());
   sides_.show_divider();
   explain_.show_marks(*session_);
@@ -186,7 +189,10 @@ void Viewer::show_interface(ViewState& next) {
   panels_.show_message(failed ? failure() : notice_, failed ? MessageKind::failure : MessageKind::notice);
 }
 
-std::string& Viewer::failure() { return !message_.empty() ? message_ : !shaders_.message().empty() ? shaders_.message() : outputs_.message(); }
+std::string& Viewer::failure() {
+  if (!message_.empty()) return message_;
+  return !shaders_.message().empty() ? shaders_.message() : outputs_.message();
+}
 
 std::string Viewer::drawn_over() const {
   const std::string overlay = explain_.overlay_drawn(), error = sides_.shows_error() ? "the error" : "";
