@@ -8,8 +8,26 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/warning_watch.h"
+
 namespace gnomon {
+
+struct WarningWatches {
+  std::mutex mutex;
+  std::vector<WarningWatch*> list;
+
+  void add(std::string_view text) {
+    const std::lock_guard lock(mutex);
+    for (WarningWatch* watch : list) watch->texts_.emplace_back(text);
+  }
+};
+
 namespace {
+
+WarningWatches& watches() {
+  static WarningWatches all;
+  return all;
+}
 
 spdlog::level::level_enum to_spdlog(LogLevel level) {
   switch (level) {
@@ -39,6 +57,22 @@ void log_line(LogLevel level, std::string_view text) {
     logger().set_pattern("%n: %^%l%$: %v");
   }
   logger().log(to_spdlog(level), text);
+  if (level == LogLevel::warning) watches().add(text);
+}
+
+WarningWatch::WarningWatch() {
+  const std::lock_guard lock(watches().mutex);
+  watches().list.push_back(this);
+}
+
+WarningWatch::~WarningWatch() {
+  const std::lock_guard lock(watches().mutex);
+  std::erase(watches().list, this);
+}
+
+std::vector<std::string> WarningWatch::texts() const {
+  const std::lock_guard lock(watches().mutex);
+  return texts_;
 }
 
 void set_log_level(LogLevel lowest_shown) { logger().set_level(to_spdlog(lowest_shown)); }

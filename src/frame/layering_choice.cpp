@@ -1,7 +1,6 @@
 // A file of one line for each device: "device|driver version|path".
 #include "frame/layering_choice.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -9,15 +8,14 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/user_folder.h"
 
 namespace gnomon {
 namespace {
 
 std::filesystem::path cache_file() {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  const char* home = std::getenv("HOME");
-  if (cache && *cache) return std::filesystem::path(cache) / "gnomon" / "layering";
-  return home && *home ? std::filesystem::path(home) / ".cache" / "gnomon" / "layering" : std::filesystem::path();
+  const auto folder = user_folder(UserFolder::cache);
+  return folder.empty() ? folder : folder / "layering";
 }
 
 std::string key_of(const DeviceInfo& device) { return device.name + "|" + device.driver_version; }

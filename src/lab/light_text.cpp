@@ -132,12 +132,10 @@ std::string key_text(const Key& key, float member) {
 }
 
 std::string angles_text(const vec3& direction) {
-  const glm::dvec3 to_sun = -glm::dvec3(direction);
-  const auto degrees = [](double angle) { return angle * 180.0 / 3.14159265358979323846 + 0.0; };
-  const double azimuth = degrees(std::atan2(to_sun.x, -to_sun.z)), elevation = degrees(std::atan2(to_sun.y, std::hypot(to_sun.x, to_sun.z)));
+  const glm::dvec2 angles = sun_angles(direction);
   std::string text;
   for (int digits = 4; digits <= 9; ++digits) {
-    const std::string first = fmt::format("{:.{}g}", azimuth, digits), second = fmt::format("{:.{}g}", elevation, digits);
+    const std::string first = fmt::format("{:.{}g}", angles.x, digits), second = fmt::format("{:.{}g}", angles.y, digits);
     text = first + "," + second;
     if (glm::length(sun_direction(*parse_number(first), *parse_number(second)) - direction) < 2e-7f) break;
   }
@@ -194,6 +192,12 @@ vec3 sun_direction(float azimuth_degrees, float elevation_degrees) {
   // cos(90 degrees) is not quite zero in floats: an overhead sun stands exactly overhead.
   const float across = std::abs(std::cos(elevation)) < 1e-6f ? 0.0f : std::cos(elevation);
   return -glm::normalize(vec3(across * std::sin(azimuth), std::sin(elevation), -across * std::cos(azimuth)));
+}
+
+glm::dvec2 sun_angles(const vec3& direction) {
+  const glm::dvec3 to_sun = -glm::dvec3(direction);
+  const auto degrees = [](double angle) { return angle * 180.0 / 3.14159265358979323846 + 0.0; };
+  return {degrees(std::atan2(to_sun.x, -to_sun.z)), degrees(std::atan2(to_sun.y, std::hypot(to_sun.x, to_sun.z)))};
 }
 
 std::optional<Light> parse_light(std::string_view text) {

@@ -34,5 +34,7 @@ std::optional<vec3> parse_vec3(std::string_view text, char separator = ',');
 
 // The way the light travels from a sun at `azimuth` (clockwise from -Z seen from above) and `elevation`, degrees.
 vec3 sun_direction(float azimuth, float elevation);
+// Its inverse: azimuth from -180 to 180, elevation from -90 to 90.
+glm::dvec2 sun_angles(const vec3& direction);
 
 }  // namespace gnomon

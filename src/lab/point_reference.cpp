@@ -11,8 +11,7 @@ constexpr int k_samples = 256;
 
 }  // namespace
 
-PointReference::PointReference(const Scene& scene)
-    : building_(std::async(std::launch::async, [&scene] { return std::make_unique<EmbreeReference>(scene); })) {}
+PointReference::PointReference(SharedReference& rays) : building_(std::async(std::launch::async, [&rays] { return &rays.get(); })) {}
 
 PointReference::~PointReference() {
   if (building_.valid()) building_.wait();

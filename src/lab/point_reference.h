@@ -2,10 +2,9 @@
 #pragma once
 
 #include <future>
-#include <memory>
 #include <optional>
 
-#include "reference/cpu/embree_reference.h"
+#include "reference/cpu/shared_reference.h"
 
 namespace gnomon {
 
@@ -15,8 +14,8 @@ class PointReference {
     float hard, area;  // the ray to the light's centre; the light's real size
   };
 
-  // Builds the acceleration structure in a thread of its own. Keeps a reference to the scene.
-  explicit PointReference(const Scene& scene);
+  // Has the acceleration structure built in a thread of its own, where it is not. Keeps a reference to `rays`.
+  explicit PointReference(SharedReference& rays);
   ~PointReference();  // waits for that thread
   PointReference(const PointReference&) = delete;
   PointReference& operator=(const PointReference&) = delete;
@@ -26,8 +25,8 @@ class PointReference {
   std::optional<Answer> answer(const SurfacePoint& point, const vec3& eye_ws, const Light& light);
 
  private:
-  std::future<std::unique_ptr<EmbreeReference>> building_;
-  std::unique_ptr<EmbreeReference> reference_;
+  std::future<const EmbreeReference*> building_;
+  const EmbreeReference* reference_ = nullptr;
 };
 
 }  // namespace gnomon

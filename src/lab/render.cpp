@@ -61,10 +61,10 @@ class Motion {
       check_seconds(camera_path_->name, duration_s(*camera_path_));
     }
     if (options.sun_path.empty()) return;
-    sun_path_ = &choose_sun_path(session.scene(), options.sun_path);
-    check_seconds(sun_path_->name, sun_path_->duration_s);
+    sun_path_ = choose_sun_path(session.scene(), options.sun_path);
+    check_seconds(name_of(*sun_path_), duration_s(*sun_path_));
     sun_ = static_cast<size_t>(std::find_if(lights_.begin(), lights_.end(), [](const Light& l) { return l.kind == LightKind::directional; }) - lights_.begin());
-    if (sun_ == lights_.size()) fail_usage("--sun-path {}: no chosen light is directional; valid: with --light sun", sun_path_->name);
+    if (sun_ == lights_.size()) fail_usage("--sun-path {}: no chosen light is directional; valid: with --light sun", options.sun_path);
     for (const char* key : {"light.azimuth", "light.elevation", "light.intensity"}) {
       if (session.settings().was_set(key)) fail_usage("--set {}=...: the sun path decides it", key);
     }
@@ -74,7 +74,7 @@ class Motion {
     const double part = frames_ > 1 ? static_cast<double>(frame) / (frames_ - 1) : 0.0;
     if (camera_path_) session.set_camera(camera_at(*camera_path_, time_of(part, duration_s(*camera_path_)), lens_));
     if (sun_path_) {
-      lights_[sun_] = light_at(*sun_path_, time_of(part, sun_path_->duration_s), lights_[sun_]);
+      lights_[sun_] = light_at(*sun_path_, time_of(part, duration_s(*sun_path_)), lights_[sun_]);
       session.set_lights(lights_);
       session.set_camera(session.camera());  // the frame's data again
     }
@@ -92,7 +92,7 @@ class Motion {
   uint32_t frames_;
   double seconds_;
   std::optional<CameraPath> camera_path_;
-  const SunPath* sun_path_ = nullptr;
+  std::optional<SunMotion> sun_path_;
   size_t sun_ = 0;
 };
 

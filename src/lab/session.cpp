@@ -2,6 +2,7 @@
 #include "lab/session.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "base/log.h"
@@ -45,18 +46,21 @@ void check_lights_named(std::span<const Light> lights, const Settings& settings)
 
 }  // namespace
 
+void settle_samples(ViewOptions& options, const DeviceInfo& device) {
+  if (!std::exchange(options.fewer_samples, false)) return;
+  uint32_t offered = 1;
+  for (const int count : device.sample_counts) {
+    if (static_cast<uint32_t>(count) <= options.samples) offered = std::max(offered, static_cast<uint32_t>(count));
+  }
+  options.samples = offered;
+}
+
 Session::Session(Device& device, const ViewOptions& options, Settings settings)
     : Session(device, options, settings, load_scene(options.scene, settings.scene_options())) {}
 
 Session::Session(Device& device, const ViewOptions& options, Settings settings, Scene scene)
     : device_(device), options_(options), settings_(std::move(settings)), scene_(std::move(scene)) {
-  if (options_.fewer_samples) {
-    uint32_t offered = 1;
-    for (const int count : device_.info().sample_counts) {
-      if (static_cast<uint32_t>(count) <= options_.samples) offered = std::max(offered, static_cast<uint32_t>(count));
-    }
-    options_.samples = offered;
-  }
+  settle_samples(options_, device_.info());
   warn_of_coarse_coordinates(scene_);
   settings_.complete_scene_options(options_.scene);
   camera_ = choose_camera(scene_, options_, settings_);

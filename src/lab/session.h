@@ -9,6 +9,7 @@
 #include "frame/frame.h"
 #include "lab/settings.h"
 #include "reference/cpu/embree_reference.h"
+#include "scene/path.h"
 
 namespace gnomon {
 
@@ -24,13 +25,16 @@ struct ViewOptions {
   std::vector<std::string> lights;
 };
 
+// Settles `fewer_samples` for that device.
+void settle_samples(ViewOptions& options, const DeviceInfo& device);
+
 // Camera and lights after the scene and the settings were asked. choose_camera writes what is in force into
 // `settings`.
 Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& settings);
 std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, const Settings& settings);
-// The scene's path of that name or number; a camera path may also be a .json file. Throws Error (usage), naming the valid ones.
+// The scene's path of that name or number; or one of a .json file. Throws Error (usage), naming the valid ones.
 CameraPath choose_camera_path(const Scene& scene, const std::string& text);
-const SunPath& choose_sun_path(const Scene& scene, const std::string& text);
+SunMotion choose_sun_path(const Scene& scene, const std::string& text);
 // Writes what is in force of a light into `settings`.
 void record_light(const Light& light, Settings& settings);
 

@@ -162,9 +162,10 @@ CameraPath choose_camera_path(const Scene& scene, const std::string& text) {
   return scene.camera_paths[*index];
 }
 
-const SunPath& choose_sun_path(const Scene& scene, const std::string& text) {
+SunMotion choose_sun_path(const Scene& scene, const std::string& text) {
   const auto index = find_named(scene.sun_paths, text);
-  if (!index) fail_usage("--sun-path {}: valid: {}", text, names_of(scene.sun_paths));
+  if (!index && text.ends_with(".json")) return read_sun_path(text);
+  if (!index) fail_usage("--sun-path {}: valid: a .json file of a sun's path, {}", text, names_of(scene.sun_paths));
   return scene.sun_paths[*index];
 }
 

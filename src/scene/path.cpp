@@ -63,6 +63,16 @@ glm::dvec3 transmittance(double sine_elevation) {
   return glm::exp(-glm::dvec3(0.10, 0.16, 0.30) * std::max(air_mass, 1.0));
 }
 
+// Between two unit vectors, of which none is the other's opposite.
+vec3 along_great_circle(const vec3& a, const vec3& b, float t) {
+  // As a double: the angle between two keys of a slow sun is lost in a float's cosine.
+  const glm::dvec3 from(a), to(b);
+  const double angle = std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to)), part = static_cast<double>(t);
+  const double sine = std::sin(angle);
+  if (sine < 1e-9) return b;
+  return vec3(glm::normalize((from * std::sin((1.0 - part) * angle) + to * std::sin(part * angle)) / sine));
+}
+
 double sine_elevation(const SunPath& path, double hour) { return std::clamp(to_sun_northward(path, hour).y, 0.0, 1.0); }
 
 }  // namespace
@@ -106,12 +116,46 @@ SunState sun_at(const SunPath& path, double hour) {
           static_cast<float>(path.intensity * strongest / reference)};
 }
 
+NearestHour nearest_hour(const SunPath& path, const vec3& direction) {
+  constexpr int k_steps = 240;
+  NearestHour best = {path.first_hour, 4.0f};
+  for (int i = 0; i <= k_steps; ++i) {
+    const double hour = path.first_hour + (path.last_hour - path.first_hour) * i / k_steps;
+    const glm::dvec3 a(sun_at(path, hour).direction), b(direction);
+    const auto off = static_cast<float>(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+    if (off < best.off) best = {hour, off};
+  }
+  return best;
+}
+
 double hour_at(const SunPath& path, double time_s) {
   return path.first_hour + (path.last_hour - path.first_hour) * std::clamp(time_s / path.duration_s, 0.0, 1.0);
 }
 
-Light light_at(const SunPath& path, double time_s, Light sun) {
-  const SunState state = sun_at(path, hour_at(path, time_s));
+SunState sun_at_time(const RecordedSun& path, double time_s) {
+  GNOMON_ASSERT(!path.keys.empty());
+  if (time_s <= path.keys.front().time_s) return path.keys.front().state;
+  if (time_s >= path.keys.back().time_s) return path.keys.back().state;
+  const auto b = std::upper_bound(path.keys.begin(), path.keys.end(), time_s, [](double t, const SunKey& key) { return t < key.time_s; });
+  const auto a = b - 1;
+  const auto t = static_cast<float>((time_s - a->time_s) / (b->time_s - a->time_s));
+  return {along_great_circle(a->state.direction, b->state.direction, t), glm::mix(a->state.colour, b->state.colour, t),
+          glm::mix(a->state.intensity, b->state.intensity, t)};
+}
+
+const std::string& name_of(const SunMotion& motion) {
+  return std::visit([](const auto& path) -> const std::string& { return path.name; }, motion);
+}
+
+double duration_s(const SunMotion& motion) {
+  if (const auto* day = std::get_if<SunPath>(&motion)) return day->duration_s;
+  const auto& keys = std::get<RecordedSun>(motion).keys;
+  return keys.empty() ? 0.0 : keys.back().time_s;
+}
+
+Light light_at(const SunMotion& motion, double time_s, Light sun) {
+  const auto* day = std::get_if<SunPath>(&motion);
+  const SunState state = day ? sun_at(*day, hour_at(*day, time_s)) : sun_at_time(std::get<RecordedSun>(motion), time_s);
   sun.direction = state.direction, sun.colour = state.colour, sun.intensity = state.intensity;
   return sun;
 }

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "scene/scene.h"
@@ -28,10 +29,31 @@ struct SunState {
 };
 // Hours are clamped to the path's day.
 SunState sun_at(const SunPath& path, double hour);
+// The hour at which the sun of the path stands nearest to where `direction` comes from, to some minutes; and how far off that is, radians.
+struct NearestHour {
+  double hour;
+  float off;
+};
+NearestHour nearest_hour(const SunPath& path, const vec3& direction);
 // The hour that belongs to a time since the path's start.
 double hour_at(const SunPath& path, double time_s);
-// `sun` moved to that time; what the path does not say stays (name, angular diameter).
-Light light_at(const SunPath& path, double time_s, Light sun);
+// A sun as it was recorded. It passes through every key at its time, along a great circle between two of them; clamped outside.
+struct SunKey {
+  double time_s = 0.0;
+  SunState state;
+};
+struct RecordedSun {
+  std::string name;
+  std::vector<SunKey> keys;  // at least one; no two neighbours stand opposite each other
+};
+SunState sun_at_time(const RecordedSun& path, double time_s);
+
+// What moves a sun: a day, or what was recorded.
+using SunMotion = std::variant<SunPath, RecordedSun>;
+const std::string& name_of(const SunMotion& motion);
+double duration_s(const SunMotion& motion);
+// `sun` moved to that time; what the motion does not say stays (name, angular diameter).
+Light light_at(const SunMotion& motion, double time_s, Light sun);
 
 // A day in which the sun passes through where `sun` stands, as bright and of the same colour there. It is always above the
 // horizon: from and to an elevation of three degrees, or that of `sun` where it stands lower.

@@ -25,6 +25,31 @@ class Frames(Case):
         paths = self.frames("--frames", "3", "--sun-path", "day", "--camera", "detail")
         self.assertEqual(len({path.read_bytes() for path in paths}), 3)
 
+    def sun_file(self, *keys, name="sun.json"):
+        path = self.folder.parent / f"{self.folder.name}_{name}"
+        self.addCleanup(path.unlink)
+        path.write_text('{"name": "a", "sun": [%s]}' % ", ".join(keys), encoding="utf-8")
+        return path
+
+    def test_sun_path_of_a_file(self):
+        key = '{"time": %d, "azimuth": 200, "elevation": %d, "colour": [1, 1, 1], "intensity": 3}'
+        sun = self.sun_file(key % (0, 40), key % (4, 70))
+        paths = self.frames("--frames", "2", "--sun-path", sun, "--camera", "detail")
+        self.assertEqual(len({path.read_bytes() for path in paths}), 2)
+        still = self.folder / "still.png"
+        light = "sun:200,70:intensity=3,colour=1/1/1"
+        self.run_gnomon("render", "courtyard", "-o", still, *QUICK, *HARD, "--camera", "detail", "--light", light)
+        self.assertEqual(paths[1].read_bytes(), still.read_bytes())
+
+    def test_files_of_the_other_kind(self):
+        key = '{"time": %d, "azimuth": 200, "elevation": 40, "colour": [1, 1, 1], "intensity": 3}'
+        sun = self.sun_file(key % 0, key % 4)
+        self.refused("render", "courtyard", "-o", self.folder / "out.png", *QUICK, *HARD, "--frames", "2", "--path", sun,
+                     says=[sun.name, "'keys'", "--sun-path"])
+        broken = self.sun_file(key % 0, name="broken.json")
+        self.refused("render", "courtyard", "-o", self.folder / "out.png", *QUICK, *HARD, "--frames", "2", "--sun-path", broken,
+                     says=[broken.name, "two keys"])
+
     def test_same_bytes_again_over_old_files(self):
         first = [path.read_bytes() for path in self.frames("--frames", "2", "--path", "turn", "--seconds", "1")]
         (self.folder / "out_0001.png").write_bytes(b"old")

@@ -229,7 +229,8 @@ TEST(Explain, OverdrawOfAStackOfPlanes) {
 // How often each cause is named, over the pixels of a picture.
 std::map<Cause, int> causes(View& view, const std::string& name, std::initializer_list<std::string_view> assignments) {
   Drawn drawn(view, name, assignments);
-  PointReference reference(view.scene());
+  SharedReference rays(view.scene());
+  PointReference reference(rays);
   std::map<Cause, int> counts;
   for (uint32_t y = 1; y < k_size.y; y += 3) {
     for (uint32_t x = 1; x < k_size.x; x += 3) {

@@ -111,6 +111,30 @@ TEST(sun_path, moves_without_jumps_and_time_runs_through_the_day) {
   }
 }
 
+TEST(sun_path, knows_the_hour_of_its_own_suns_and_how_far_others_are_off) {
+  const SunPath day = day_through("day", sun_toward({0.6f, -0.5f, 0.6f}));
+  for (double hour = day.first_hour; hour <= day.last_hour; hour += 0.37) {
+    const NearestHour nearest = nearest_hour(day, sun_at(day, hour).direction);
+    EXPECT_NEAR(nearest.hour, hour, 0.05);
+    EXPECT_LT(nearest.off, 0.5f * k_pi / 180.0f);
+  }
+  EXPECT_GT(nearest_hour(day, {0, 1, 0}).off, 1.5f);  // from below
+}
+
+TEST(recorded_sun, passes_through_its_keys_and_turns_evenly_between) {
+  const RecordedSun path{"mine", {{0.0, {{0, -1, 0}, vec3(1.0f), 4.0f}}, {2.0, {{1, 0, 0}, vec3(0.5f), 2.0f}}}};
+  EXPECT_EQ(duration_s(path), 2.0);
+  EXPECT_EQ(name_of(path), "mine");
+  const Light half = light_at(path, 1.0, sun_toward({0, 0, 1}));
+  EXPECT_LT(glm::length(half.direction - glm::normalize(vec3(1, -1, 0))), 1e-6f);
+  EXPECT_FLOAT_EQ(half.intensity, 3.0f);
+  EXPECT_FLOAT_EQ(half.colour.x, 0.75f);
+  EXPECT_EQ(light_at(path, -1.0, half).direction, path.keys[0].state.direction);
+  EXPECT_EQ(light_at(path, 9.0, half).direction, path.keys[1].state.direction);
+  const float third = glm::dot(light_at(path, 2.0 / 3.0, half).direction, vec3(0, -1, 0));
+  EXPECT_NEAR(third, std::cos(k_pi / 6.0f), 1e-6f);
+}
+
 TEST(default_paths, frame_any_scene) {
   Scene empty;
   add_default_paths(empty);

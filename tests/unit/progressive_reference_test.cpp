@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <thread>
 
 #include "base/error.h"
 #include "scene/load.h"
@@ -40,7 +41,8 @@ std::vector<ProgressiveReference::Answer> answers_of(ProgressiveReference& refer
 TEST(ProgressiveReference, EndsWithTheReferencesOwnAnswer) {
   const Scene scene = load_scene("chart/sphere");
   const EmbreeReference embree(scene);
-  ProgressiveReference reference(scene, embree.triangle_count());
+  SharedReference rays(scene);
+  ProgressiveReference reference(rays, embree.triangle_count());
   const auto view = view_of(scene, 200);  // several bands
   reference.start(view);
   const auto answers = answers_of(reference);
@@ -57,7 +59,8 @@ TEST(ProgressiveReference, EndsWithTheReferencesOwnAnswer) {
 
 TEST(ProgressiveReference, AnswersForTheLastViewOnly) {
   const Scene scene = load_scene("chart/sphere");
-  ProgressiveReference reference(scene, EmbreeReference(scene).triangle_count());
+  SharedReference rays(scene);
+  ProgressiveReference reference(rays, rays.get().triangle_count());
   auto large = view_of(scene, 1000);
   large.samples = 4096;  // some minutes
   reference.start(large);
@@ -70,9 +73,18 @@ TEST(ProgressiveReference, AnswersForTheLastViewOnly) {
 
 TEST(ProgressiveReference, RefusesAStructureThatTheRasteriserDoesNotDraw) {
   const Scene scene = load_scene("chart/sphere");
-  ProgressiveReference reference(scene, EmbreeReference(scene).triangle_count() + 1);
+  SharedReference rays(scene);
+  ProgressiveReference reference(rays, rays.get().triangle_count() + 1);
   reference.start(view_of(scene, 4));
   EXPECT_THROW(answers_of(reference), Error);
+}
+
+TEST(SharedReference, IsBuiltOnce) {
+  const Scene scene = load_scene("chart/sphere");
+  SharedReference rays(scene);
+  const EmbreeReference* other = nullptr;
+  std::thread([&] { other = &rays.get(); }).join();
+  EXPECT_EQ(&rays.get(), other);
 }
 
 }  // namespace

@@ -44,6 +44,17 @@ TEST(CameraRig, flies_where_it_does_not_orbit) {
   EXPECT_GT(rig.camera().speed(), speed);
 }
 
+TEST(CameraRig, the_first_speed_crosses_any_scene_in_twenty_seconds) {
+  for (const float radius_m : {0.5f, 20.0f, 2900.0f}) {
+    CameraRig rig(Camera{}, radius_m);
+    const vec3 begin = rig.camera().eye();
+    CameraInput input;
+    input.move = {0, 0, 1};
+    for (int i = 0; i < 200; ++i) rig.update(input, 0.1f);
+    EXPECT_NEAR(glm::length(rig.camera().eye() - begin), 2.0f * radius_m, 1e-3f * radius_m);
+  }
+}
+
 TEST(SavedCameras, bring_place_and_lens_back) {
   SavedCameras saved;
   ViewState state;
@@ -81,22 +92,59 @@ TEST(Playhead, loops_or_stops_at_the_end) {
   EXPECT_DOUBLE_EQ(head.time_s, 0.0);
 }
 
+Moment at(float x) { return {{{x, 0, 0}, {0, 0, -1}}, std::nullopt}; }
+Moment under(float x, float intensity) { return {at(x).camera, SunState{{0, -1, 0}, vec3(1.0f), intensity}}; }
+
 TEST(PathRecorder, a_walk_becomes_a_path) {
   PathRecorder recorder;
-  recorder.start({{0, 0, 0}, {0, 0, -1}});
-  for (int i = 0; i < 10; ++i) recorder.add(0.04, {{0, 0, 0}, {0, 0, -1}});  // waits
-  for (int i = 1; i <= 25; ++i) recorder.add(0.04, {{0.1f * static_cast<float>(i), 0, 0}, {0, 0, -1}});
-  for (int i = 0; i < 10; ++i) recorder.add(0.04, {{2.5f, 0, 0}, {0, 0, -1}});
-  const auto path = recorder.stop("mine");
-  ASSERT_TRUE(path);
-  EXPECT_EQ(path->keys.front().time_s, 0.0);
-  EXPECT_EQ(path->keys.front().eye, vec3(0, 0, 0));
-  EXPECT_EQ(path->keys.back().eye, vec3(2.5f, 0, 0));
-  EXPECT_NEAR(duration_s(*path), 1.0, 0.25);
-  EXPECT_NEAR(pose_at(*path, 0.5 * duration_s(*path)).eye.x, 1.25f, 0.3f);
-  recorder.start({{0, 0, 0}, {0, 0, -1}});
-  recorder.add(1.0, {{0, 0, 0}, {0, 0, -1}});
+  recorder.start(at(0));
+  for (int i = 0; i < 10; ++i) recorder.add(0.04, at(0));  // waits
+  for (int i = 1; i <= 25; ++i) recorder.add(0.04, at(0.1f * static_cast<float>(i)));
+  for (int i = 0; i < 10; ++i) recorder.add(0.04, at(2.5f));
+  const auto recording = recorder.stop("mine");
+  ASSERT_TRUE(recording && recording->camera);
+  EXPECT_FALSE(recording->sun);
+  const CameraPath& path = *recording->camera;
+  EXPECT_EQ(path.keys.front().time_s, 0.0);
+  EXPECT_EQ(path.keys.front().eye, vec3(0, 0, 0));
+  EXPECT_EQ(path.keys.back().eye, vec3(2.5f, 0, 0));
+  EXPECT_NEAR(duration_s(path), 1.0, 0.25);
+  EXPECT_NEAR(pose_at(path, 0.5 * duration_s(path)).eye.x, 1.25f, 0.3f);
+  recorder.start(under(0, 1));
+  recorder.add(1.0, under(0, 1));
   EXPECT_FALSE(recorder.stop("nothing"));
+}
+
+TEST(PathRecorder, a_sun_that_moves_is_recorded_with_the_times_of_the_walk) {
+  PathRecorder recorder;
+  recorder.start(under(0, 1));
+  recorder.add(1.0, under(1, 1));
+  recorder.add(1.0, under(1, 3));
+  recorder.add(1.0, under(1, 3));
+  const auto both = recorder.stop("both");
+  ASSERT_TRUE(both && both->camera && both->sun);
+  EXPECT_EQ(duration_s(*both->camera), 2.0);
+  EXPECT_EQ(duration_s(*both->sun), 2.0);
+  EXPECT_FLOAT_EQ(sun_at_time(*both->sun, 1.0).intensity, 1.0f);
+  EXPECT_FLOAT_EQ(sun_at_time(*both->sun, 1.5).intensity, 2.0f);
+  recorder.start(under(0, 1));
+  recorder.add(1.0, under(0, 2));
+  const auto sun = recorder.stop("sun");
+  ASSERT_TRUE(sun && sun->sun);
+  EXPECT_FALSE(sun->camera);
+}
+
+TEST(PathRecorder, a_sun_may_come_and_go) {
+  PathRecorder recorder;
+  recorder.start(at(0));
+  recorder.add(1.0, at(1));
+  recorder.add(1.0, under(1, 2));
+  recorder.add(1.0, under(1, 3));
+  recorder.add(1.0, at(2));
+  const auto recording = recorder.stop("mine");
+  ASSERT_TRUE(recording && recording->sun);
+  EXPECT_FLOAT_EQ(sun_at_time(*recording->sun, 0.0).intensity, 2.0f);
+  EXPECT_FLOAT_EQ(sun_at_time(*recording->sun, 4.0).intensity, 3.0f);
 }
 
 }  // namespace

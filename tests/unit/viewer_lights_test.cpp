@@ -81,5 +81,13 @@ TEST(ViewerLights, settings_go_with_the_name) {
   EXPECT_THROW(remove_light(state, lights, 0), Error);
 }
 
+TEST(ViewerLights, techniques_in_force_are_those_that_a_light_takes) {
+  Light sun, lamp;
+  sun.kind = LightKind::directional, lamp.kind = LightKind::point;
+  const std::vector<std::string> names = {"single/pcf", "cube/pcf"}, sun_only = {"single/pcf"};
+  EXPECT_EQ(names_in_force(names, std::vector{sun}), sun_only);
+  EXPECT_EQ(names_in_force(names, std::vector{sun, lamp, sun}), names);
+}
+
 }  // namespace
 }  // namespace gnomon::viewer

@@ -104,6 +104,17 @@ class Drop(WindowCase):
         viewer.until(lambda status: "good.obj" in status["command"] and not status["message"], "the good one")
         self.close(viewer)
 
+    def test_warnings_are_told(self):
+        path = self.folder / "plain.obj"
+        path.write_text("mtllib gone.mtl\n" + boxes_obj(), encoding="utf-8")
+        viewer = self.open("chart/slab", *QUICK)
+        self.drop(viewer, path)
+        said = viewer.until_text("notice", lambda _: True, 60)
+        for text in ("plain.obj", "1 warning", "gone.mtl"):
+            self.assertIn(text, said)
+        self.assertEqual(viewer.status()["message"], "")
+        self.close(viewer)
+
     def good_one(self):
         path = self.folder / "good.obj"
         path.write_text(boxes_obj(), encoding="utf-8")

@@ -71,6 +71,33 @@ class Explain(WindowCase):
         viewer.until_text("reason", lambda text: len(text) > 3)
         self.close(viewer)
 
+    def test_a_pick_beside_a_second_side_says_which_it_explains(self):
+        viewer = self.viewer
+        viewer.section("Compare")
+        viewer.choose("second_side", "other settings")
+        viewer.click_at(480, 420, MIDDLE)
+        viewer.until_text("picked_side", lambda text: text == "first")
+        viewer.click_at(620, 420, MIDDLE)
+        viewer.until_text("picked_side", lambda text: text == "second")
+        viewer.press("b")
+        viewer.press("b")
+        viewer.until_text("picked_side", lambda text: text == "only")
+        self.close(viewer)
+
+    def test_a_picture_with_an_overlay_says_that_its_command_has_none(self):
+        viewer = self.viewer
+        viewer.press("F12")
+        viewer.wait(lambda: viewer.stdout().count("\n") == 1, "the picture")
+        self.assertIsNone(viewer.text("notice"))
+        viewer.press("v")
+        viewer.until_text("overlay", lambda text: text.startswith("layers"))
+        viewer.press("F12")
+        self.assertRegex(viewer.until_text("notice", lambda _: True), r"^gnomon_0001.png also shows the overlay 'layers.*not draw$")
+        self.assertEqual(viewer.status()["message"], "")
+        self.assertIn("notice", viewer.widgets())
+        self.assertNotIn("message", viewer.widgets())
+        self.close(viewer)
+
     def test_map(self):
         viewer = self.viewer
         viewer.press("m")

@@ -1,7 +1,7 @@
 """How the window comes, and how it goes: by itself, by a key, by its frame, by a signal, and not at all."""
 import unittest
 
-from case import DEVICE, INTERRUPTED, OK, QUICK, USAGE, WindowCase
+from case import DEVICE, INTERRUPTED, OK, QUICK, SMALL, USAGE, WindowCase
 
 
 class Start(WindowCase):
@@ -49,12 +49,20 @@ class Start(WindowCase):
             ("courtyard", "--technique", "single/cats"): ["cats"],
             ("courtyard", "--scale", "9"): ["--scale"],
             ("courtyard", "--screenshot", "a.bmp"): [".png"],
+            ("courtyard", *QUICK, "--map", "99"): ["--map 99", "single/hard", "valid", "0"],
+            ("courtyard", *SMALL, "--technique", "ray_traced", "--map", "0"): ["--map 0", "ray_traced"],
         }.items():
             with self.subTest(arguments=arguments):
                 viewer = self.start(*arguments)
                 self.assertEqual(viewer.wait_for_end(), USAGE, viewer.stderr())
                 for text in says:
                     self.assertIn(text, viewer.stderr())
+
+    def test_a_second_side_that_suits_no_light(self):
+        viewer = self.start("courtyard", *QUICK, "--split", "cube/pcf")
+        self.assertEqual(viewer.wait_for_end(), DEVICE, viewer.stderr())
+        for text in ("cube/pcf", "sun"):
+            self.assertIn(text, viewer.stderr())
 
 
 if __name__ == "__main__":

@@ -238,6 +238,40 @@ class State(WindowCase):
         self.assertNotEqual(*(png.read(self.folder / f"walk_000{number}.png")[2] for number in range(2)))
         self.close(viewer)
 
+    def test_sun_paths(self):
+        viewer = self.open("chart/sphere", *SPHERE)
+        viewer.section("Lights")
+        begin = self.light(viewer, "sun") if "--light sun:" in viewer.status()["command"] else None
+        viewer.section("Paths")
+        viewer.click("record")
+        viewer.slide("azimuth", 0.35)
+        viewer.slide("azimuth", 0.2)
+        moved = self.light(viewer, "sun")
+        self.assertNotEqual(moved, begin)
+        viewer.click("stop_recording")
+        viewer.until_text("paths_done", lambda text: text == "recorded the sun")
+        viewer.click("loop:sun")
+        viewer.click("play:sun")
+        viewer.until(lambda _: self.light(viewer, "sun") != moved, "the begin of the sun's path")
+        viewer.until_text("sun_path", lambda text: not text.startswith("0.000") and "plays" not in text)
+        viewer.until(lambda _: self.light(viewer, "sun") == moved, "its end")
+        viewer.fill("path_file", "sun.json")
+        viewer.click("save_path")
+        viewer.wait(lambda: (self.folder / "sun.json").is_file(), "the file")
+        azimuths = [key["azimuth"] for key in json.loads((self.folder / "sun.json").read_text(encoding="utf-8"))["sun"]]
+        self.assertGreater(max(azimuths) - min(azimuths), 10)
+        viewer.click("load_path")
+        viewer.until_text("paths_done", lambda text: text == "read sun.json: the sun")
+        words = [PROGRAM, "render", "chart/sphere", "--size", "64x40", "--technique", "single/hard", "--frames", "2"]
+        words += ["--sun-path", "sun.json", "-o", "sun.png"]
+        done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, OK, done.stderr)
+        self.assertNotEqual(*(png.read(self.folder / f"sun_000{number}.png")[2] for number in range(2)))
+        viewer.fill("path_file", "none.json")
+        viewer.click("load_path")
+        viewer.until(lambda status: "none.json" in status["message"], "a message")
+        self.close(viewer)
+
 
 def place(light_text):
     """The first three numbers of a light."""

@@ -49,7 +49,7 @@ void add_render(CLI::App& app, const Globals& globals) {
   command->add_option("--frames", arguments->frames, "a sequence of so many pictures along the paths: NAME_0000.png, NAME_0001.png, ...")
       ->check(CLI::Range(1u, 100000u));
   command->add_option("--path", arguments->path, "name of a camera path of the scene: walk, turn, fly; or a .json file, as the viewer records it (default: walk, unless the sun moves)");
-  command->add_option("--sun-path", arguments->sun_path, "name of a sun path of the scene: day");
+  command->add_option("--sun-path", arguments->sun_path, "name of a sun path of the scene: day; or a .json file, as the viewer records it");
   command->add_option("--seconds", arguments->seconds, "only the first seconds of each path, for slow motion (default: all of it)")
       ->check(CLI::Range(1e-3, 1e6));
   command->callback([arguments, command, &globals] {

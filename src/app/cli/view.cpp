@@ -52,9 +52,12 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   viewer::RecentFiles recent;
   viewer::ShaderReload shaders;
   auto opened = viewer::open_first(screen, std::move(state));
+  if (opened && how.sides.second == viewer::SecondSide::settings) {
+    for (const Light& light : opened->session->frame().lights()) viewer::required_technique({how.sides.technique}, light);
+  }
   while (opened) {
     opened = viewer::Viewer(screen, std::move(*opened), wishes, recent, shaders, how).run();
-    how.explain.pick.reset();  // a pixel of the first scene
+    how.explain.pick.reset(), how.explain.map_layer.reset();  // of the first scene
   }
 #else
   static_cast<void>(arguments), static_cast<void>(technique_given), static_cast<void>(globals);

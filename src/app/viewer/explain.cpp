@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/viewer/legend.h"
 #include "app/viewer/light_lines.h"
@@ -46,8 +47,9 @@ vec2 screen_size() { return {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().Displa
 
 }  // namespace
 
-Explain::Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options)
-    : explainer_(device),
+Explain::Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options, SharedReference& rays)
+    : rays_(rays),
+      explainer_(device),
       map_pane_(device, render_pass),
       options_(options),
       map_open_(options.map_layer),
@@ -62,12 +64,12 @@ uvec2 Explain::pixel(const Session& session) const {
   return glm::min(uvec2(*place_ * vec2(session.options().size)), session.options().size - 1u);
 }
 
-void Explain::show(Session& session, const TechniqueSet& techniques) {
+void Explain::show(Session& session, const TechniqueSet& techniques, float divider) {
   light_ = std::min(light_, session.frame().lights().size() - 1);
   panel(session, techniques);
   if (picked_) {
     bool open = true;
-    show_pick_window(*picked_, open);
+    show_pick_window(*picked_, divider >= 1.0f ? PickedSide::only : place_->x < divider ? PickedSide::first : PickedSide::second, open);
     if (!open) place_.reset(), picked_.reset();
   }
   if (map_open_) map_pane_.show(techniques.techniques()[light_]->shadow_map(), map_layer_, map_open_);
@@ -156,10 +158,25 @@ void Explain::show_marks(Session& session) {
                    session.scene().bounds().radius());
 }
 
+void Explain::check_map_layer(const TechniqueSpec& spec, const std::optional<ShadowMapView>& map) {
+  if (!options_.map_layer) return;
+  const uint32_t layer = *std::exchange(options_.map_layer, std::nullopt);
+  if (!map) fail_usage("--map {}: {} has no shadow map; valid: with a technique that has one", layer, spec.name);
+  if (layer < map->layers) return;
+  const std::string valid = map->layers == 1 ? "0" : fmt::format("0 to {}", map->layers - 1);
+  fail_usage("--map {}: valid for {} with these settings: {}", layer, spec.name, valid);
+}
+
+std::string Explain::overlay_drawn() const {
+  return overlay_drawn_ ? fmt::format("the overlay '{}'", overlay_title(options_.overlay)) : std::string();
+}
+
 void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& techniques) {
   light_ = std::min(light_, session.frame().lights().size() - 1);
   const Frame& frame = session.frame();
   const Technique& technique = *techniques.techniques()[light_];
+  check_map_layer(techniques.spec(light_), technique.shadow_map());
+  overlay_drawn_ = options_.overlay != k_overlay_none && (technique.shadow_map() || !overlay_needs_map(options_.overlay));
   if (options_.overlay != k_overlay_none)
     explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, opacity_);
   if (place_) explainer_.record_pick(recorder, frame, light_, technique, pixel(session));
@@ -170,7 +187,7 @@ void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& t
 void Explain::collect(Session& session, const TechniqueSet& techniques) {
   views_ = explainer_.views();
   if (!place_) return;
-  if (!reference_) reference_ = std::make_unique<PointReference>(session.scene());
+  if (!reference_) reference_ = std::make_unique<PointReference>(rays_);
   Picked picked;
   picked.pixel = pixel(session);
   picked.technique = techniques.spec(light_).name;

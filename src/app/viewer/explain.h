@@ -26,16 +26,16 @@ ExplainOptions parse_explain_options(const std::string& overlay, const std::stri
 
 class Explain {
  public:
-  // `render_pass`: that the interface is drawn in.
-  Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options);
+  // `render_pass`: that the interface is drawn in. Keeps a reference to `rays`.
+  Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options, SharedReference& rays);
 
   // Pipelines of the shaders as they are now.
   void rebuild(VkRenderPass render_pass);
 
   // Once a frame, whether panels are shown or not.
   void handle_keys(const Window& window);
-  // Panel and windows, while the interface's frame is written.
-  void show(Session& session, const TechniqueSet& techniques);
+  // Panel and windows, while the interface's frame is written. `divider`: share of the window's width that shows `techniques`.
+  void show(Session& session, const TechniqueSet& techniques, float divider);
   // Crosshair and lines, which stay when the panels are hidden.
   void show_marks(Session& session);
   // Behind Session::record_frame.
@@ -43,6 +43,8 @@ class Explain {
   // Once the recorder has finished.
   void collect(Session& session, const TechniqueSet& techniques);
   bool reads_frame() const { return place_ || map_open_ || options_.lines || options_.overlay != k_overlay_none; }
+  // What the overlay is called; empty where none lies over the picture.
+  std::string overlay_drawn() const;
   // What the pass that draws the interface must name.
   std::span<const ResourceUse> uses() const { return map_pane_.uses(); }
 
@@ -53,12 +55,15 @@ class Explain {
   };
 
   void handle_pick(Session& session);
+  void check_map_layer(const TechniqueSpec& spec, const std::optional<ShadowMapView>& map);
   void panel(Session& session, const TechniqueSet& techniques);
   uvec2 pixel(const Session& session) const;
 
+  SharedReference& rays_;
   Explainer explainer_;
   MapPane map_pane_;
   ExplainOptions options_;  // overlay and lines as they are now
+  bool overlay_drawn_ = false;
   float opacity_ = 0.6f;
   size_t light_ = 0;
   bool pick_mode_ = false, map_open_;

@@ -15,6 +15,8 @@ namespace gnomon::viewer {
 namespace {
 
 constexpr float k_degree = k_pi / 180.0f;
+// Of a sun that counts as standing on a sun path: more than the step between the hours that are looked at.
+constexpr float k_on_path = 1.0f * k_degree;
 
 // An angle that is kept in radians, in degrees.
 bool degrees(const char* label, float& radians, float min, float max, const char* help) {
@@ -29,19 +31,6 @@ bool length(const char* label, float& metres, float max, float scale_m, const ch
   const bool changed = ImGui::DragFloat(label, &metres, 0.002f * scale_m, 0.0f, max, "%.4g", ImGuiSliderFlags_AlwaysClamp);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
   return changed;
-}
-
-// The hour at which a sun on the path stands nearest to where this one does.
-double hour_of(const SunPath& path, const Light& sun) {
-  constexpr int k_steps = 240;
-  double best = path.first_hour;
-  float nearest = -2.0f;
-  for (int i = 0; i <= k_steps; ++i) {
-    const double hour = path.first_hour + (path.last_hour - path.first_hour) * i / k_steps;
-    const float cosine = glm::dot(sun_at(path, hour).direction, sun.direction);
-    if (cosine > nearest) nearest = cosine, best = hour;
-  }
-  return best;
 }
 
 // Over what the middle of the picture shows, where one sees it.
@@ -122,23 +111,29 @@ bool LightPanel::edit(ListedLight& listed, const Session& session) {
 }
 
 bool LightPanel::edit_sun(Light& sun, const Session& session) {
-  const glm::dvec3 to_sun = -glm::dvec3(sun.direction);
-  auto azimuth = static_cast<float>(std::atan2(to_sun.x, -to_sun.z)) / k_degree;
-  auto elevation = static_cast<float>(std::atan2(to_sun.y, std::hypot(to_sun.x, to_sun.z))) / k_degree;
+  const glm::dvec2 angles = sun_angles(sun.direction);
+  auto azimuth = static_cast<float>(angles.x), elevation = static_cast<float>(angles.y);
   bool turned = ImGui::SliderFloat("azimuth [degree]", &azimuth, -180.0f, 180.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp);
   note_widget("azimuth");
   turned = ImGui::SliderFloat("elevation [degree]", &elevation, -90.0f, 90.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp) || turned;
   if (turned) sun.direction = sun_direction(azimuth, elevation);
   if (session.scene().sun_paths.empty()) return turned;
   const SunPath& path = session.scene().sun_paths.front();
-  auto hour = static_cast<float>(hour_of(path, sun));
+  const NearestHour nearest = nearest_hour(path, sun.direction);
+  auto hour = static_cast<float>(nearest.hour);
   const auto minutes = static_cast<int>(60.0f * hour + 0.5f);
-  const std::string clock = fmt::format("{}:{:02}", minutes / 60, minutes % 60);
+  const bool on_path = nearest.off < k_on_path;
+  const std::string clock = on_path ? fmt::format("{}:{:02}", minutes / 60, minutes % 60) : fmt::format("not on '{}'", path.name);
   const bool chosen =
       ImGui::SliderFloat("time of day", &hour, static_cast<float>(path.first_hour), static_cast<float>(path.last_hour),
                          clock.c_str(), ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("on the sun path '%s', which also sets colour and intensity", path.name.c_str());
+  note_widget("time_of_day");
+  note_text("time_of_day", clock);
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip(on_path ? "on the sun path '%s', which also sets colour and intensity"
+                              : "this sun stands elsewhere; a drag puts it on the sun path '%s', which also sets colour and intensity",
+                      path.name.c_str());
+  }
   if (chosen) {
     const SunState state = sun_at(path, static_cast<double>(hour));
     sun.direction = state.direction, sun.colour = state.colour, sun.intensity = state.intensity;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/viewer/interface.h"
+#include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
 #include "gpu/pipeline_target.h"
 
@@ -69,9 +70,7 @@ MapProbe MapPane::probe() const {
 }
 
 void MapPane::show(const std::optional<ShadowMapView>& map, uint32_t& layer, bool& open) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * screen.x, screen.y - 8.0f}, ImGuiCond_FirstUseEver, {0.5f, 1.0f});
-  ImGui::SetNextWindowSize({std::min(380.0f, 0.5f * screen.x), std::min(440.0f, 0.8f * screen.y)}, ImGuiCond_FirstUseEver);
+  appear_at(places_on_screen().map);
   shown_ = ImGui::Begin("shadow map", &open) && map;
   if (!map) ImGui::TextDisabled("this technique has no map");
   if (shown_) {

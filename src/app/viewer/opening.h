@@ -6,6 +6,7 @@
 
 #include "app/viewer/view_state.h"
 #include "base/log.h"
+#include "base/warning_watch.h"
 
 namespace gnomon::viewer {
 
@@ -23,11 +24,14 @@ class Opening {
   // Once it is ready. Throws what loading threw.
   std::unique_ptr<Session> finish(Device& device, uvec2 size);
   ViewState state() const { return state_; }
+  // Of loading and of what came since.
+  std::vector<std::string> warnings() const { return warnings_.texts(); }
 
  private:
   ViewState state_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   ProgressWatch watch_;
+  WarningWatch warnings_;
   std::future<Scene> scene_;  // last: its thread uses the others
 };
 

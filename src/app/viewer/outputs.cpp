@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "base/error.h"
+#include "app/viewer/notice.h"
 #include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
 #include "base/log.h"
@@ -84,8 +85,8 @@ void Outputs::show_progress() {
   if (ImGui::Button("Stop")) comparison_.stop();
 }
 
-void Outputs::take(const ViewState& state, Session& session) {
-  if (!wanted_.empty()) picture(state, session);
+void Outputs::take(const ViewState& state, Session& session, const std::string& drawn_over, std::string& notice) {
+  if (!wanted_.empty()) picture(state, session, drawn_over, notice);
   if (clip_.running()) clip_.add(session.frame().read_display());
 }
 
@@ -101,7 +102,7 @@ void Outputs::update() {
   }
 }
 
-void Outputs::picture(const ViewState& state, Session& session) {
+void Outputs::picture(const ViewState& state, Session& session, const std::string& drawn_over, std::string& notice) {
   const std::filesystem::path path = free_name("gnomon", std::exchange(wanted_, {}));
   try {
     path.extension() == ".exr" ? write_exr(path, session.frame().read_linear()) : write_png(path, session.frame().read_display());
@@ -111,6 +112,10 @@ void Outputs::picture(const ViewState& state, Session& session) {
   }
   std::cout << path.string() << std::endl;
   log_info("{} -o {}", state.command(session.options().size), shell_quoted(path.string()));
+  // Scene-linear values have nothing drawn over them.
+  if (drawn_over.empty() || path.extension() == ".exr") return;
+  notice = picture_notice(path.string(), drawn_over);
+  log_info("{}", notice);
 }
 
 }  // namespace gnomon::viewer

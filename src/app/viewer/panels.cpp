@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
 
 namespace gnomon::viewer {
@@ -19,10 +20,7 @@ void wrapped(const std::string& text, float width) {
 }  // namespace
 
 bool begin_main_panel() {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
-  const float width = std::min(28.0f * ImGui::GetFontSize(), screen.x - 16.0f);
-  ImGui::SetNextWindowSize({width, std::max(0.62f * screen.y, std::min(screen.y - 16.0f, 400.0f))}, ImGuiCond_FirstUseEver);
+  appear_at(places_on_screen().panel);
   const bool open = ImGui::Begin("gnomon");
   if (open) note_window("panel");
   return open;
@@ -156,17 +154,21 @@ void Panels::scene_params(ViewState& state, Session& session) {
   }
 }
 
-void Panels::show_message(std::string& text) const {
+void Panels::show_message(std::string& text, MessageKind kind) const {
   if (text.empty()) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * screen.x, screen.y - 8.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowSize({0.9f * screen.x, 0.0f});
+  const bool failed = kind == MessageKind::failure;
   bool open = true;
-  if (ImGui::Begin("not possible; what was shown before is still shown", &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse)) {
-    note_window("message");
-    ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.6f, 0.5f, 1.0f});
+  // The part behind ### is the window's identity.
+  const char* title = failed ? "not possible; what was shown before is still shown###failure" : "notice###notice";
+  if (ImGui::Begin(title, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse)) {
+    note_window(failed ? "message" : "notice");
+    note_text(failed ? "failure" : "notice", text);
+    if (failed) ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.6f, 0.5f, 1.0f});
     wrapped(text, 0.0f);
-    ImGui::PopStyleColor();
+    if (failed) ImGui::PopStyleColor();
   }
   ImGui::End();
   if (!open) text.clear();

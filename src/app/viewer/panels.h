@@ -19,6 +19,8 @@ struct Wishes {
   bool screenshot = false, copy_command = false;
 };
 
+enum class MessageKind { failure, notice };
+
 // The window on the left. What several classes show between this and ImGui::End stands in it one below the other.
 bool begin_main_panel();
 
@@ -29,7 +31,7 @@ class Panels {
   // Changes `state` and `wishes` as the user wants them; the session still shows the old state.
   void show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques);
   // A box over the picture, until the user closes it or `text` is empty.
-  void show_message(std::string& text) const;
+  void show_message(std::string& text, MessageKind kind) const;
   size_t light() const { return light_; }  // whose technique is shown
   void set_speed(float speed_m_s) { speed_m_s_ = speed_m_s; }
   void set_map_divisor(uint32_t divisor) { map_divisor_ = divisor; }  // of maps while the view moves

@@ -51,81 +51,129 @@ void choose(const char* label, const Paths& names, size_t& chosen, Playhead& hea
   ImGui::EndCombo();
 }
 
-CameraPose pose_of(const CameraRig& rig) {
+std::vector<std::string> names_of(const std::vector<CameraPath>& paths) {
+  std::vector<std::string> names;
+  for (const CameraPath& path : paths) names.push_back(path.name);
+  return names;
+}
+
+std::vector<std::string> names_of(const std::vector<SunMotion>& paths) {
+  std::vector<std::string> names;
+  for (const SunMotion& path : paths) names.push_back(name_of(path));
+  return names;
+}
+
+auto first_sun(std::vector<ListedLight>& lights) {
+  return std::find_if(lights.begin(), lights.end(), [](const ListedLight& listed) { return listed.light.kind == LightKind::directional; });
+}
+
+const char* what_moves(const Recording& recording) {
+  return recording.camera && recording.sun ? "camera and sun" : recording.sun ? "the sun" : "the camera";
+}
+
+Moment moment_of(const ViewState& state, const Session& session, const CameraRig& rig) {
   const vec3& eye = rig.camera().eye();
-  return {eye, eye + 10.0f * rig.camera().forward()};
+  Moment moment = {{eye, eye + 10.0f * rig.camera().forward()}, std::nullopt};
+  auto lights = lights_of(state, session.chosen_lights());
+  const auto sun = first_sun(lights);
+  if (sun != lights.end()) moment.sun = {sun->light.direction, sun->light.colour, sun->light.intensity};
+  return moment;
 }
 
 }  // namespace
 
-const CameraPath& PathPanel::path(const Session& session) const {
-  const auto& paths = session.scene().camera_paths;
-  return camera_path_ < paths.size() ? paths[camera_path_] : own_[camera_path_ - paths.size()];
+std::vector<CameraPath> PathPanel::camera_paths(const Session& session) const {
+  std::vector<CameraPath> paths = session.scene().camera_paths;
+  for (const Recording& own : own_) {
+    if (own.camera) paths.push_back(*own.camera);
+  }
+  return paths;
+}
+
+std::vector<SunMotion> PathPanel::sun_paths(const Session& session) const {
+  std::vector<SunMotion> paths(session.scene().sun_paths.begin(), session.scene().sun_paths.end());
+  for (const Recording& own : own_) {
+    if (own.sun) paths.emplace_back(*own.sun);
+  }
+  return paths;
+}
+
+void PathPanel::move_sun(ViewState& state, const Session& session) {
+  const auto paths = sun_paths(session);
+  if (sun_path_ >= paths.size()) return;
+  auto lights = lights_of(state, session.chosen_lights());
+  const auto sun = first_sun(lights);
+  if (sun == lights.end()) {
+    sun_.playing = false;
+    fail_usage("the sun path '{}' moves a sun, and no light is one; add a sun to the lights", name_of(paths[sun_path_]));
+  }
+  sun->light = light_at(paths[sun_path_], sun_.time_s, sun->light);
+  set_light(state, session.chosen_lights(), static_cast<size_t>(sun - lights.begin()), *sun);
 }
 
 bool PathPanel::advance(ViewState& state, const Session& session, const CameraRig& rig, double seconds) {
-  if (recorder_.records()) recorder_.add(seconds, pose_of(rig));
-  const auto& suns = session.scene().sun_paths;
-  if ((sun_.advance(seconds) || std::exchange(sun_scrubbed_, false)) && sun_path_ < suns.size()) {
-    auto lights = lights_of(state, session.chosen_lights());
-    const auto sun = std::find_if(lights.begin(), lights.end(),
-                                  [](const ListedLight& listed) { return listed.light.kind == LightKind::directional; });
-    if (sun == lights.end()) {
-      sun_.playing = false;
-      fail_usage("the sun path '{}' moves a sun, and no light is one; add a sun to the lights", suns[sun_path_].name);
-    }
-    sun->light = light_at(suns[sun_path_], sun_.time_s, sun->light);
-    set_light(state, session.chosen_lights(), static_cast<size_t>(sun - lights.begin()), *sun);
-  }
+  if (recorder_.records()) recorder_.add(seconds, moment_of(state, session, rig));
+  if (sun_.advance(seconds) || std::exchange(sun_scrubbed_, false)) move_sun(state, session);
   if (!camera_.advance(seconds) && !std::exchange(camera_scrubbed_, false)) return false;
-  if (camera_path_ >= session.scene().camera_paths.size() + own_.size()) return false;
-  const CameraPose pose = pose_at(path(session), camera_.time_s);
+  const auto paths = camera_paths(session);
+  if (camera_path_ >= paths.size()) return false;
+  const CameraPose pose = pose_at(paths[camera_path_], camera_.time_s);
   keep_lens(state, session);
   state.view.camera = camera_text(pose.eye, pose.target);
   return true;
 }
 
-void PathPanel::show(const Session& session, const CameraRig& rig) {
-  std::vector<std::string> names;
-  for (const CameraPath& path : session.scene().camera_paths) names.push_back(path.name);
-  for (const CameraPath& path : own_) names.push_back(path.name);
-  ImGui::PushID("camera");
-  if (!names.empty()) {
-    camera_path_ = std::min(camera_path_, names.size() - 1);
-    choose("camera path", names, camera_path_, camera_);
-    camera_.duration_s = duration_s(path(session));
+void PathPanel::show(const ViewState& state, const Session& session, const CameraRig& rig) {
+  const auto cameras = camera_paths(session);
+  if (!cameras.empty()) {
+    ImGui::PushID("camera");
+    camera_path_ = std::min(camera_path_, cameras.size() - 1);
+    choose("camera path", names_of(cameras), camera_path_, camera_);
+    camera_.duration_s = duration_s(cameras[camera_path_]);
     camera_scrubbed_ = show_playhead("camera", camera_);
+    ImGui::PopID();
   }
-  record(rig);
-  files();
-  ImGui::PopID();
-  if (session.scene().sun_paths.empty()) return;
+  const auto suns = sun_paths(session);
+  if (!suns.empty()) {
+    ImGui::PushID("sun");
+    sun_path_ = std::min(sun_path_, suns.size() - 1);
+    choose("sun path", names_of(suns), sun_path_, sun_);
+    sun_.duration_s = duration_s(suns[sun_path_]);
+    sun_scrubbed_ = show_playhead("sun", sun_);
+    ImGui::PopID();
+  }
+  if (!cameras.empty() && !suns.empty()) {
+    if (ImGui::Button("play both from the start")) {
+      for (Playhead* head : {&camera_, &sun_}) head->time_s = 0.0, head->play();
+    }
+    note_widget("play_both");
+  }
   ImGui::Separator();
-  ImGui::PushID("sun");
-  names.clear();
-  for (const SunPath& path : session.scene().sun_paths) names.push_back(path.name);
-  sun_path_ = std::min(sun_path_, names.size() - 1);
-  choose("sun path", names, sun_path_, sun_);
-  sun_.duration_s = session.scene().sun_paths[sun_path_].duration_s;
-  sun_scrubbed_ = show_playhead("sun", sun_);
-  ImGui::PopID();
+  record(state, session, rig);
+  files();
 }
 
-void PathPanel::record(const CameraRig& rig) {
+void PathPanel::record(const ViewState& state, const Session& session, const CameraRig& rig) {
   if (!recorder_.records()) {
-    if (ImGui::Button("record a walk")) recorder_.start(pose_of(rig)), camera_.playing = false;
+    if (ImGui::Button("record camera and sun")) recorder_.start(moment_of(state, session, rig)), camera_.playing = false;
     note_widget("record");
     return;
   }
   const bool stop = ImGui::Button(fmt::format("stop recording ({:.1f} s)###record", recorder_.time_s()).c_str());
   note_widget("stop_recording");
   if (!stop) return;
-  auto walked = recorder_.stop(fmt::format("recording {}", recorded_ + 1));
-  if (!walked) fail_usage("nothing was recorded: the camera did not move");
+  auto recording = recorder_.stop(fmt::format("recording {}", recorded_ + 1));
+  if (!recording) fail_usage("nothing was recorded: neither camera nor sun moved");
   ++recorded_;
-  own_.push_back(std::move(*walked));
-  camera_path_ = ~size_t{0};  // the last one, once the list is shown again
-  camera_.time_s = 0.0;
+  done_ = fmt::format("recorded {}", what_moves(*recording));
+  take(*std::move(recording));
+}
+
+void PathPanel::take(Recording recording) {
+  // The last of its list, once that is shown again.
+  if (recording.camera) camera_path_ = ~size_t{0}, camera_.time_s = 0.0, camera_.playing = false;
+  if (recording.sun) sun_path_ = ~size_t{0}, sun_.time_s = 0.0, sun_.playing = false;
+  own_.push_back(std::move(recording));
 }
 
 void PathPanel::files() {
@@ -134,20 +182,22 @@ void PathPanel::files() {
   note_widget("path_file");
   ImGui::SameLine();
   if (ImGui::Button("load")) {
-    own_.push_back(read_camera_path(file_));
-    camera_path_ = ~size_t{0};
-    camera_.time_s = 0.0, camera_.playing = false;
-    done_ = fmt::format("read {}", file_);
+    Recording recording = read_recording(file_);
+    done_ = fmt::format("read {}: {}", file_, what_moves(recording));
+    take(std::move(recording));
   }
+  note_widget("load_path");
   ImGui::SameLine();
   if (ImGui::Button("save") && !own_.empty()) {
     if (std::filesystem::exists(file_)) fail_usage("{} exists; give another name", file_);
-    write_file(file_, camera_path_text(own_.back()));
-    done_ = fmt::format("wrote {}: gnomon render --frames N --path {}", file_, file_);
+    write_file(file_, recording_text(own_.back()));
+    done_ = fmt::format("wrote {}: gnomon render --frames N{}{}", file_, own_.back().camera ? fmt::format(" --path {}", file_) : "",
+                        own_.back().sun ? fmt::format(" --sun-path {}", file_) : "");
   }
   note_widget("save_path");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("writes the last recorded or loaded path");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("writes the last recorded or loaded paths");
   if (!done_.empty()) ImGui::TextWrapped("%s", done_.c_str());
+  note_text("paths_done", done_);
 }
 
 }  // namespace gnomon::viewer

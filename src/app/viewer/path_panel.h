@@ -1,4 +1,4 @@
-// Paths of cameras and suns: playing them, recording a walk.
+// Paths of cameras and suns: playing and recording them.
 #pragma once
 
 #include "app/viewer/camera_rig.h"
@@ -13,19 +13,22 @@ class PathPanel {
   // Moves camera and sun of the state as time passes. True when it placed the camera.
   bool advance(ViewState& state, const Session& session, const CameraRig& rig, double seconds);
   // Throws Error where a file cannot be read or written.
-  void show(const Session& session, const CameraRig& rig);
+  void show(const ViewState& state, const Session& session, const CameraRig& rig);
   // The user walks: the camera is no longer the path's.
   void stop_camera() { camera_.playing = false; }
 
  private:
-  const CameraPath& path(const Session& session) const;
-  void record(const CameraRig& rig);
+  std::vector<CameraPath> camera_paths(const Session& session) const;
+  std::vector<SunMotion> sun_paths(const Session& session) const;
+  void move_sun(ViewState& state, const Session& session);
+  void record(const ViewState& state, const Session& session, const CameraRig& rig);
   void files();
+  void take(Recording recording);  // into the lists, chosen
 
   Playhead camera_, sun_;
   bool camera_scrubbed_ = false, sun_scrubbed_ = false;
   size_t camera_path_ = 0, sun_path_ = 0;  // of the scene's, then of own ones
-  std::vector<CameraPath> own_;            // recorded or loaded
+  std::vector<Recording> own_;             // recorded or loaded
   int recorded_ = 0;
   PathRecorder recorder_;
   char file_[256] = "walk.json";

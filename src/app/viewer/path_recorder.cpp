@@ -9,34 +9,57 @@ namespace {
 
 constexpr double k_key_distance_s = 0.1;
 
-bool same(const CameraKey& key, const CameraPose& pose) { return key.eye == pose.eye && key.target == pose.target; }
+bool same(const CameraPose& a, const CameraPose& b) { return a.eye == b.eye && a.target == b.target; }
+bool same(const SunState& a, const SunState& b) {
+  return a.direction == b.direction && a.colour == b.colour && a.intensity == b.intensity;
+}
+bool same(const Moment& a, const Moment& b) {
+  const bool suns = a.sun && b.sun ? same(*a.sun, *b.sun) : a.sun.has_value() == b.sun.has_value();
+  return same(a.camera, b.camera) && suns;
+}
 
 }  // namespace
 
-void PathRecorder::start(const CameraPose& pose) {
-  keys_ = {{0.0, pose.eye, pose.target}};
-  last_ = pose;
+void PathRecorder::start(const Moment& moment) {
+  keys_ = {{0.0, moment}};
+  last_ = moment;
   time_s_ = 0.0;
   records_ = true;
 }
 
-void PathRecorder::add(double seconds, const CameraPose& pose) {
+void PathRecorder::add(double seconds, const Moment& moment) {
   GNOMON_ASSERT(records_);
   time_s_ += seconds;
-  last_ = pose;
-  if (time_s_ - keys_.back().time_s >= k_key_distance_s) keys_.push_back({time_s_, pose.eye, pose.target});
+  const auto sun = moment.sun ? moment.sun : last_.sun;
+  // One that came later has stood there from the begin.
+  if (sun && !last_.sun) std::for_each(keys_.begin(), keys_.end(), [&](Key& key) { key.moment.sun = sun; });
+  last_ = {moment.camera, sun};
+  if (time_s_ - keys_.back().time_s >= k_key_distance_s) keys_.push_back({time_s_, last_});
 }
 
-std::optional<CameraPath> PathRecorder::stop(const std::string& name) {
+std::optional<Recording> PathRecorder::stop(const std::string& name) {
   records_ = false;
-  if (time_s_ > keys_.back().time_s) keys_.push_back({time_s_, last_.eye, last_.target});
-  // The pauses before the first step and after the last one are no part of the walk.
-  while (keys_.size() > 1 && same(keys_[keys_.size() - 2], {keys_.back().eye, keys_.back().target})) keys_.pop_back();
-  while (keys_.size() > 1 && same(keys_[1], {keys_[0].eye, keys_[0].target})) keys_.erase(keys_.begin());
+  if (time_s_ > keys_.back().time_s) keys_.push_back({time_s_, last_});
+  // The pauses before the first step and after the last one are no part of it.
+  while (keys_.size() > 1 && same(keys_[keys_.size() - 2].moment, keys_.back().moment)) keys_.pop_back();
+  while (keys_.size() > 1 && same(keys_[1].moment, keys_[0].moment)) keys_.erase(keys_.begin());
   if (keys_.size() < 2) return std::nullopt;
-  const double begin_s = keys_.front().time_s;
-  for (CameraKey& key : keys_) key.time_s -= begin_s;
-  return CameraPath{name, std::move(keys_)};
+  CameraPath camera{name, {}};
+  RecordedSun sun{name, {}};
+  bool camera_moves = false, sun_moves = false;
+  const Key first = keys_.front();
+  for (const Key& key : keys_) {
+    const double time_s = key.time_s - first.time_s;
+    camera.keys.push_back({time_s, key.moment.camera.eye, key.moment.camera.target});
+    camera_moves = camera_moves || !same(key.moment.camera, first.moment.camera);
+    if (!key.moment.sun) continue;
+    sun.keys.push_back({time_s, *key.moment.sun});
+    sun_moves = sun_moves || !same(*key.moment.sun, *first.moment.sun);
+  }
+  Recording recording;
+  if (camera_moves) recording.camera = std::move(camera);
+  if (sun_moves) recording.sun = std::move(sun);
+  return recording;
 }
 
 }  // namespace gnomon::viewer

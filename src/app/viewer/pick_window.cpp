@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/viewer/legend.h"
+#include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
 
 namespace gnomon::viewer {
@@ -108,14 +109,18 @@ vec3 reason_colour(const PickFacts& facts, Cause cause) {
 
 }  // namespace
 
-void show_pick_window(const Picked& picked, bool& open) {
+void show_pick_window(const Picked& picked, PickedSide side, bool& open) {
   const PickFacts& facts = picked.facts;
   const PickRecord& record = facts.record;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x - 8.0f, screen.y - 8.0f}, ImGuiCond_FirstUseEver, {1.0f, 1.0f});
-  ImGui::SetNextWindowSize({std::min(380.0f, 0.5f * screen.x), std::min(0.6f * screen.y, 560.0f)}, ImGuiCond_FirstUseEver);
+  appear_at(places_on_screen().pick);
   // The part behind ### is the window's identity, whatever pixel it shows.
-  if (ImGui::Begin(fmt::format("pixel {}, {}: {}###pick", picked.pixel.x, picked.pixel.y, picked.technique).c_str(), &open)) {
+  const char* whose = side == PickedSide::only ? "" : " (first side)";
+  if (ImGui::Begin(fmt::format("pixel {}, {}: {}{}###pick", picked.pixel.x, picked.pixel.y, picked.technique, whose).c_str(), &open)) {
+    note_text("picked_side", side == PickedSide::only ? "only" : side == PickedSide::first ? "first" : "second");
+    if (side == PickedSide::second) {
+      ImGui::TextColored({1.0f, 0.85f, 0.4f, 1.0f}, "The second side is shown here; this explains the first.");
+      remark("Settings of the second side: 'exchange' (Compare) makes them the first.");
+    }
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(reason_colour(facts, picked.reason.cause)));
     ImGui::TextWrapped("%s", picked.reason.text.c_str());
     note_window("pick_window");

@@ -19,7 +19,10 @@ struct Picked {
   std::string technique;
 };
 
+// Whose picture the pixel shows, where two sides are beside each other. The first is what is explained.
+enum class PickedSide { only, first, second };
+
 // `open` is set to false when the user closes it.
-void show_pick_window(const Picked& picked, bool& open);
+void show_pick_window(const Picked& picked, PickedSide side, bool& open);
 
 }  // namespace gnomon::viewer

@@ -1,20 +1,18 @@
 #include "app/viewer/recent_files.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "base/user_folder.h"
 
 namespace gnomon::viewer {
 
 std::filesystem::path RecentFiles::default_list() {
-  const char* state = std::getenv("XDG_STATE_HOME");
-  const char* home = std::getenv("HOME");
-  if (state && *state) return std::filesystem::path(state) / "gnomon" / "recent";
-  return home && *home ? std::filesystem::path(home) / ".local" / "state" / "gnomon" / "recent" : std::filesystem::path();
+  const auto folder = user_folder(UserFolder::state);
+  return folder.empty() ? folder : folder / "recent";
 }
 
 RecentFiles::RecentFiles(std::filesystem::path list) : list_(std::move(list)) {

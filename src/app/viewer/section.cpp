@@ -9,22 +9,32 @@
 namespace gnomon::viewer {
 namespace {
 
-constexpr float k_margin = 8.0f;
-constexpr float k_width_in_letters = 31.0f;  // heights of the font
-
-float column_width() { return std::min(k_width_in_letters * ImGui::GetFontSize(), ImGui::GetIO().DisplaySize.x - 2.0f * k_margin); }
+ImVec2 to_imgui(vec2 v) { return {v.x, v.y}; }
 
 }  // namespace
 
-float section_width() { return column_width() - 2.0f * ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize; }
+WindowPlaces places_on_screen() {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  return first_places({screen.x, screen.y}, ImGui::GetFontSize());
+}
+
+void appear_at(const Place& place) {
+  ImGui::SetNextWindowPos(to_imgui(place.corner), ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize(to_imgui(place.size), ImGuiCond_FirstUseEver);
+}
+
+float section_width() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return places_on_screen().tools.size.x - 2.0f * style.WindowPadding.x - style.ScrollbarSize;
+}
 
 bool begin_section(const char* title, bool open_at_first) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = column_width();
-  ImGui::SetNextWindowPos({screen.x - k_margin, k_margin}, ImGuiCond_Always, {1.0f, 0.0f});
-  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(screen.y - 2.0f * k_margin, 60.0f)});
-  // On a narrow window the other panel is below.
-  ImGui::SetNextWindowCollapsed(screen.x < 2.0f * width, ImGuiCond_FirstUseEver);
+  const WindowPlaces places = places_on_screen();
+  const Place& tools = places.tools;
+  ImGui::SetNextWindowPos(to_imgui(tools.corner), ImGuiCond_Always);
+  const float most = ImGui::GetIO().DisplaySize.y - 2.0f * tools.corner.y;
+  ImGui::SetNextWindowSizeConstraints({tools.size.x, 0.0f}, {tools.size.x, std::max(most, 60.0f)});
+  ImGui::SetNextWindowCollapsed(places.tools_folded, ImGuiCond_FirstUseEver);
   const bool shown = ImGui::Begin("tools", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
   bool open = false;
   if (shown) {

@@ -1,7 +1,13 @@
 // The column at the right: sections below each other, each with a bar that opens it. Closed ones cost next to nothing to draw.
 #pragma once
 
+#include "app/viewer/window_places.h"
+
 namespace gnomon::viewer {
+
+WindowPlaces places_on_screen();
+// The next window, where it appears for the first time.
+void appear_at(const Place& place);
 
 // True while the section is open; end_section follows in any case. `open_at_first`: before the user opened or closed it.
 bool begin_section(const char* title, bool open_at_first = false);

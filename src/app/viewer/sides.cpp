@@ -24,7 +24,8 @@ bool of_view(const std::string& key) {
 
 }  // namespace
 
-Sides::Sides(const Start& start, const ViewState& state) : second_(start.second), other_(state), error_(start.error) {
+Sides::Sides(const Start& start, const ViewState& state, SharedReference& rays)
+    : rays_(rays), second_(start.second), other_(state), error_(start.error) {
   if (!start.technique.empty()) other_.techniques = {start.technique};
 }
 
@@ -58,9 +59,12 @@ void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& s
   // Camera, lights or size may be others since the last frame: neither picture nor score may read the old answer.
   if (reference_) reference_->forget_other_view(session);
   if (second_ == SecondSide::none) return techniques_.clear(), score_[1].reset();
-  names_[0] = fmt::format("{}", fmt::join(state.techniques, ", "));
+  const auto name_of_side = [&](const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names_in_force(names, session.frame().lights()), ", "));
+  };
+  names_[0] = name_of_side(state.techniques);
   if (second_ == SecondSide::settings) {
-    names_[1] = fmt::format("{}", fmt::join(other_.techniques, ", "));
+    names_[1] = name_of_side(other_.techniques);
     return draw_settings(recorder, session, state, canvas);
   }
   techniques_.clear(), score_[1].reset();
@@ -110,7 +114,7 @@ void Sides::draw_reference(Recorder& recorder, Session& session, Canvas& canvas)
 }
 
 void Sides::record_error(Recorder& recorder, const Frame& frame) const {
-  if (error_ && reference_ && reference_->answer()) reference_->error_view().record(recorder, frame, light_);
+  if (shows_error()) reference_->error_view().record(recorder, frame, light_);
 }
 
 std::optional<Sides::Score> Sides::score(Session& session) const {
@@ -128,7 +132,7 @@ void Sides::follow(Session& session) {
     score_ = {};
     return;
   }
-  if (!reference_) reference_ = std::make_unique<ViewReference>(session, rasterised_caster_triangles(session));
+  if (!reference_) reference_ = std::make_unique<ViewReference>(session, rays_, rasterised_caster_triangles(session));
   const bool changed = reference_->update(session);
   if (changed) settling_ = std::max(settling_, 1);  // the second side's scores, too
   if (!reference_->answer()) {

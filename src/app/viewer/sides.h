@@ -22,7 +22,8 @@ class Sides {
     std::string technique;  // of other settings; empty: as the first side
     bool error = false;     // error over the picture
   };
-  Sides(const Start& start, const ViewState& state);
+  // Keeps a reference to `rays`.
+  Sides(const Start& start, const ViewState& state, SharedReference& rays);
 
   // `light`: whose error is shown. Exchanging the sides changes `state`.
   void show(ViewState& state, const Session& session, size_t light);
@@ -43,6 +44,7 @@ class Sides {
     if (second_ != SecondSide::none) flipped_ = !flip_mode_ || !flipped_, flip_mode_ = true;
   }
   void toggle_error() { error_ = !error_; }
+  bool shows_error() const { return error_ && reference_ && reference_->answer(); }
   // The session's frame is made again: nothing of the old one may be held.
   void forget() { techniques_.clear(), second_key_.clear(), score_ = {}, reference_.reset(); }
   bool second_settings() const { return second_ == SecondSide::settings; }
@@ -62,6 +64,7 @@ class Sides {
   void show_reference() const;
   void show_scores() const;
 
+  SharedReference& rays_;
   SecondSide second_;
   ViewState other_;           // of SecondSide::settings; camera and lights are those of the first side
   TechniqueSet techniques_;   // of other_

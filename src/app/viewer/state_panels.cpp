@@ -51,7 +51,7 @@ void StatePanels::show(ViewState& state, CameraRig& rig, Session& session, std::
   end_section();
   if (begin_section("Camera")) camera_placed_ = cameras_.show(state, rig, session) || camera_placed_;
   end_section();
-  if (begin_section("Paths")) attempt(message, [&] { paths_.show(session, rig); });
+  if (begin_section("Paths")) attempt(message, [&] { paths_.show(state, session, rig); });
   end_section();
   if (begin_section("Presets, undo")) {
     const auto button = [](const char* label, bool enabled) {

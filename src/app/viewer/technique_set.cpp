@@ -1,5 +1,7 @@
 #include "app/viewer/technique_set.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +34,14 @@ void divide_map_size(SettingsMap& settings, const TechniqueSpec& spec, uint32_t 
 
 }  // namespace
 
+const TechniqueSpec& required_technique(const std::vector<std::string>& names, const Light& light) {
+  const TechniqueSpec* spec = technique_for(names, light.kind);
+  if (!spec) {
+    fail_device("light '{}': {} supports no {} lights", light.name, fmt::join(names, ", "), light_kind_name(light.kind));
+  }
+  return *spec;
+}
+
 bool TechniqueSet::builds(std::span<const Light> lights, const std::vector<std::string>& names, const Settings& settings) const {
   if (lights.size() != entries_.size()) return true;
   for (size_t i = 0; i < lights.size(); ++i) {
@@ -56,8 +66,7 @@ void TechniqueSet::update(Session& session, const std::vector<std::string>& name
   TechniqueContext& context = session.context();
   for (size_t i = 0; i < lights.size(); ++i) {
     Entry& entry = next[i];
-    entry.spec = technique_for(names, lights[i].kind);
-    if (!entry.spec) fail_device("light '{}': none of the techniques supports {} lights", lights[i].name, light_kind_name(lights[i].kind));
+    entry.spec = &required_technique(names, lights[i]);
     entry.settings = session.settings_of(*entry.spec, i);
     divide_map_size(entry.settings, *entry.spec, map_divisor);
     const Entry* old = i < entries_.size() ? &entries_[i] : nullptr;

@@ -5,6 +5,9 @@
 
 namespace gnomon::viewer {
 
+// The first of the names for that light. Throws Error (device) where none supports its kind.
+const TechniqueSpec& required_technique(const std::vector<std::string>& names, const Light& light);
+
 class TechniqueSet {
  public:
   // Builds again where a technique or a `rebuild` parameter changed; other changes take effect in the next frame. Throws Error where one

@@ -27,8 +27,8 @@ std::vector<std::byte> view_key(const Frame& frame) {
   return key;
 }
 
-ViewReference::ViewReference(Session& session, size_t caster_triangles)
-    : error_view_(session.device(), session.frame().samples()), tracer_(session.scene(), caster_triangles) {}
+ViewReference::ViewReference(Session& session, SharedReference& rays, size_t caster_triangles)
+    : error_view_(session.device(), session.frame().samples()), tracer_(rays, caster_triangles) {}
 
 void ViewReference::give_up() {
   tracer_.stop();

@@ -12,7 +12,7 @@ std::vector<std::byte> view_key(const Frame& frame);
 
 class ViewReference {
  public:
-  ViewReference(Session& session, size_t caster_triangles);
+  ViewReference(Session& session, SharedReference& rays, size_t caster_triangles);
 
   // Before anything of a frame is drawn: drops the answer where the view, or its size, is no longer that of the answer.
   void forget_other_view(Session& session);

@@ -17,6 +17,15 @@ const TechniqueSpec* technique_for(const std::vector<std::string>& names, LightK
   return nullptr;
 }
 
+std::vector<std::string> names_in_force(const std::vector<std::string>& names, std::span<const Light> lights) {
+  std::vector<std::string> in_force;
+  for (const Light& light : lights) {
+    const TechniqueSpec* spec = technique_for(names, light.kind);
+    if (spec && std::find(in_force.begin(), in_force.end(), spec->name) == in_force.end()) in_force.push_back(spec->name);
+  }
+  return in_force;
+}
+
 std::string part_of(const std::string& key) {
   const size_t at = key.find('@'), begin = at == key.npos ? 0 : at + 1;  // a light's name may hold points
   return key.substr(begin, key.find('.', begin) - begin);

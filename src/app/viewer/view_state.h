@@ -28,6 +28,9 @@ struct ViewState {
 // "sun@pcf.size" -> "pcf"
 std::string part_of(const std::string& key);
 
+// Those of the names that some light takes, each once, in the order of the lights.
+std::vector<std::string> names_in_force(const std::vector<std::string>& names, std::span<const Light> lights);
+
 // The first of the names that supports a kind of light; null where none does.
 const TechniqueSpec* technique_for(const std::vector<std::string>& names, LightKind kind);
 

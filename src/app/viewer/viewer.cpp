@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/viewer/notice.h"
 #include "app/viewer/section.h"
 #include "base/error.h"
 #include "base/interrupt.h"
@@ -33,21 +34,12 @@ uvec2 scaled(uvec2 size, float scale) {
   return glm::clamp(uvec2(exact), uvec2(1), uvec2(16384));
 }
 
-// What "up to 8" samples of a preset are on this device: the session's constructor does the same for those it starts with.
-void settle_samples(ViewOptions& view, const DeviceInfo& device) {
-  if (!std::exchange(view.fewer_samples, false)) return;
-  uint32_t offered = 1;
-  for (const int count : device.sample_counts) {
-    if (static_cast<uint32_t>(count) <= view.samples) offered = std::max(offered, static_cast<uint32_t>(count));
-  }
-  view.samples = offered;
-}
-
 }  // namespace
 
 Opened::Opened(Opening& opening, Screen& screen)
     : session(opening.finish(screen.device, glm::max(screen.window.size(), uvec2(1)))), state(opening.state()) {
   techniques.update(*session, state.techniques);
+  warnings = opening.warnings();
 }
 
 std::optional<Opened> open_first(Screen& screen, ViewState state) {
@@ -73,17 +65,19 @@ Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recen
       state_(std::move(opened.state)),
       session_(std::move(opened.session)),
       techniques_(std::move(opened.techniques)),
+      rays_(session_->scene()),
       interface_(screen.interface),
       panels_(session_->settings()),
-      explain_(device_, interface_.render_pass(), options.explain),
+      explain_(device_, interface_.render_pass(), options.explain, rays_),
       state_panels_(state_),
       camera_(session_->camera(), session_->scene().bounds().radius()),
       timings_(device_.info().software),
       outputs_(device_),
-      sides_(options.sides, state_),
+      sides_(options.sides, state_, rays_),
       render_scale_(wishes.target_ms, device_.info().software ? k_software_start : 1.0f),
       last_window_(screen.window.size()),
       last_frame_(std::chrono::steady_clock::now()) {
+  notice_ = warnings_notice(state_.view.scene, opened.warnings);
   if (!session_->scene().source.empty()) recent_.add(session_->scene().source);
   window_.set_title("gnomon: " + state_.view.scene);
 }
@@ -182,18 +176,31 @@ void Viewer::show_interface(ViewState& next) {
     const bool compares = options_.sides.second != SecondSide::none || options_.sides.error;
     if (begin_section("Compare", compares)) sides_.show(next, *session_, panels_.light());
     end_section();
-    explain_.show(*session_, techniques_);
+    explain_.show(*session_, techniques_, sides_.divider());
     measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
     outputs_.show(next, *session_);
     state_panels_.show(next, camera_, *session_, message_);
   }
-  if (building_) show_notice(fmt::format("building {} ...", fmt::join(building_->techniques, ", ")));
+  if (building_) {
+    const auto names = names_in_force(building_->techniques, session_->frame().lights());
+    show_notice(fmt::format("building {} ...", fmt::join(names, ", ")));
+  }
   if (opening_) show_progress(opening_->status(), opening_->share());
   sides_.show_divider();
   explain_.show_marks(*session_);
-  panels_.show_message(message_);
-  panels_.show_message(shaders_.message());
-  panels_.show_message(outputs_.message());
+  // One box at a time: a notice waits until the failure is closed.
+  const bool failed = !failure().empty();
+  panels_.show_message(failed ? failure() : notice_, failed ? MessageKind::failure : MessageKind::notice);
+}
+
+std::string& Viewer::failure() {
+  if (!message_.empty()) return message_;
+  return !shaders_.message().empty() ? shaders_.message() : outputs_.message();
+}
+
+std::string Viewer::drawn_over() const {
+  const std::string overlay = explain_.overlay_drawn(), error = sides_.shows_error() ? "the error" : "";
+  return overlay + (overlay.empty() || error.empty() ? "" : " and ") + error;
 }
 
 void Viewer::record() {
@@ -270,11 +277,10 @@ void Viewer::follow_pace(float work_ms, bool size_is_free) {
 // What leaves the window: pictures, clips, the clipboard, the status file.
 void Viewer::hand_out() {
   if (std::exchange(wishes_.screenshot, false)) outputs_.want_picture(".png");
-  if (!draws_small_maps()) outputs_.take(state_, *session_);
+  if (!draws_small_maps()) outputs_.take(state_, *session_, drawn_over(), notice_);
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), command().c_str());
   if (!status_.on()) return;
-  const std::string& shown = !message_.empty() ? message_ : !shaders_.message().empty() ? shaders_.message() : outputs_.message();
-  status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), shown, screen_.swapchain.vsync(),
+  status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), failure(), screen_.swapchain.vsync(),
                  opening_.has_value(), pace_.shows_full()});
 }
 

@@ -38,6 +38,7 @@ struct Opened {
   std::unique_ptr<Session> session;
   ViewState state;
   TechniqueSet techniques;
+  std::vector<std::string> warnings;
 };
 
 // Waits for the first scene behind a window that already answers; nullopt: it was closed meanwhile. Throws what loading threw.
@@ -62,6 +63,8 @@ class Viewer {
   void follow_pace(float work_ms, bool size_is_free);
   void hand_out();
   void draw_second();
+  std::string& failure();          // that is shown now, of whoever failed first; empty: none
+  std::string drawn_over() const;  // the picture, beside what its command draws
   bool guarded(const std::function<void()>& work);  // false where it threw what is now shown
   void handle_keys();
   void move_camera(ViewState& state, float seconds);
@@ -88,6 +91,7 @@ class Viewer {
   TechniqueSet small_;  // the same with smaller maps, where the view is slow
   Pace pace_;
   std::optional<ViewState> drawn_;  // in the last frame
+  SharedReference rays_;
   Interface& interface_;
   StatusFile status_;
   Panels panels_;
@@ -100,7 +104,7 @@ class Viewer {
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<Recorder> patient_;  // of the picture that stays
   bool recorder_separates_ = false;
-  std::string message_;
+  std::string message_, notice_;
   Sides sides_;
   // To be shown behind the next frame: building it takes a while, and that frame says so.
   std::optional<ViewState> building_;

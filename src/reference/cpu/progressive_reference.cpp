@@ -29,8 +29,8 @@ bool has_area(const ProgressiveReference::View& view, const Light& light) { retu
 
 }  // namespace
 
-ProgressiveReference::ProgressiveReference(const Scene& scene, size_t caster_triangles)
-    : scene_(scene), caster_triangles_(caster_triangles), thread_([this](const std::stop_token& token) { work(token); }) {}
+ProgressiveReference::ProgressiveReference(SharedReference& rays, size_t caster_triangles)
+    : rays_of_scene_(rays), caster_triangles_(caster_triangles), thread_([this](const std::stop_token& token) { work(token); }) {}
 
 ProgressiveReference::~ProgressiveReference() { stop(); }
 
@@ -86,13 +86,9 @@ void ProgressiveReference::work(const std::stop_token& stop) {
 }
 
 void ProgressiveReference::trace(const View& view, uint64_t generation) {
-  if (!embree_) {
-    embree_.emplace(scene_);
-    if (embree_->triangle_count() != caster_triangles_) {
-      const size_t held = embree_->triangle_count();
-      embree_.reset();
-      fail("the structure holds {} triangles, but {} are drawn as casters: it is not to be believed", held, caster_triangles_);
-    }
+  const EmbreeReference& rays = rays_of_scene_.get();
+  if (const size_t held = rays.triangle_count(); held != caster_triangles_) {
+    fail("the structure holds {} triangles, but {} are drawn as casters: it is not to be believed", held, caster_triangles_);
   }
   const bool any_area = std::any_of(view.lights.begin(), view.lights.end(), [&](const Light& light) { return has_area(view, light); });
   const std::vector<int> counts = sample_counts(any_area ? view.samples : 1);
@@ -109,7 +105,7 @@ void ProgressiveReference::trace(const View& view, uint64_t generation) {
   for (const int samples : counts) {
     for (size_t light = 0; light < view.lights.size(); ++light) {
       if (samples > 1 && !has_area(view, view.lights[light])) continue;
-      if (!trace_light(view, generation, light, samples, answer.lights[light])) return;
+      if (!trace_light(rays, view, generation, light, samples, answer.lights[light])) return;
     }
     answer.samples = samples;
     answer.complete = samples == counts.back();
@@ -119,7 +115,8 @@ void ProgressiveReference::trace(const View& view, uint64_t generation) {
   }
 }
 
-bool ProgressiveReference::trace_light(const View& view, uint64_t generation, size_t light, int samples, ReferenceResult& result) {
+bool ProgressiveReference::trace_light(const EmbreeReference& rays, const View& view, uint64_t generation, size_t light, int samples,
+                                       ReferenceResult& result) {
   ReferenceResult whole;
   double square_sum = 0.0;
   size_t receivers = 0;
@@ -129,7 +126,7 @@ bool ProgressiveReference::trace_light(const View& view, uint64_t generation, si
     if (!wanted(generation)) return false;
     const auto points = std::span(view.points).subspan(begin, std::min(band, view.points.size() - begin));
     const ReferenceResult part =
-        embree_->trace(points, view.eye_ws, view.lights[light], has_area(view, view.lights[light]), samples, view.seed);
+        rays.trace(points, view.eye_ws, view.lights[light], has_area(view, view.lights[light]), samples, view.seed);
     whole.visibility.insert(whole.visibility.end(), part.visibility.begin(), part.visibility.end());
     whole.receiver.insert(whole.receiver.end(), part.receiver.begin(), part.receiver.end());
     // Errors of bands are independent: those of their sums add up as squares.

@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "reference/cpu/embree_reference.h"
+#include "reference/cpu/shared_reference.h"
 
 namespace gnomon {
 
@@ -28,8 +28,8 @@ class ProgressiveReference {
     bool complete = false;                // better ones do not follow
   };
 
-  // Keeps a reference to the scene. `caster_triangles`: as the rasteriser draws them; another number in the structure is an error.
-  ProgressiveReference(const Scene& scene, size_t caster_triangles);
+  // Keeps a reference to `rays`. `caster_triangles`: as the rasteriser draws them; another number in the structure is an error.
+  ProgressiveReference(SharedReference& rays, size_t caster_triangles);
   ~ProgressiveReference();
   ProgressiveReference(const ProgressiveReference&) = delete;
   ProgressiveReference& operator=(const ProgressiveReference&) = delete;
@@ -46,12 +46,11 @@ class ProgressiveReference {
   void work(const std::stop_token& stop);
   void trace(const View& view, uint64_t generation);
   // False when the view is no longer wanted.
-  bool trace_light(const View& view, uint64_t generation, size_t light, int samples, ReferenceResult& result);
+  bool trace_light(const EmbreeReference& rays, const View& view, uint64_t generation, size_t light, int samples, ReferenceResult& result);
   bool wanted(uint64_t generation) const;
 
-  const Scene& scene_;
+  SharedReference& rays_of_scene_;
   const size_t caster_triangles_;
-  std::optional<EmbreeReference> embree_;  // made by the thread
 
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;

@@ -1,0 +1,14 @@
+// Where the program keeps what belongs to the user, not to a project (XDG base directories).
+#pragma once
+
+#include <filesystem>
+
+namespace gnomon {
+
+enum class UserFolder { cache, state };
+
+// This program's own: $XDG_CACHE_HOME/gnomon, or ~/.cache/gnomon; $XDG_STATE_HOME/gnomon, or ~/.local/state/gnomon. Empty where there is
+// no home. It need not exist.
+std::filesystem::path user_folder(UserFolder folder);
+
+}  // namespace gnomon

@@ -1,0 +1,11 @@
+#include "reference/cpu/shared_reference.h"
+
+namespace gnomon {
+
+const EmbreeReference& SharedReference::get() {
+  const std::lock_guard lock(building_);
+  if (!reference_) reference_.emplace(scene_);
+  return *reference_;
+}
+
+}  // namespace gnomon
