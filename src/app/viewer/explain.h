@@ -13,11 +13,14 @@
 
 namespace gnomon::viewer {
 
+// What the user has chosen to see.
 struct ExplainOptions {
   uint32_t overlay = k_overlay_none;
-  bool lines = false;                 // of the light's views
-  std::optional<uvec2> pick;          // pixel of the picture
-  std::optional<uint32_t> map_layer;  // opens the map
+  float opacity = 0.6f;       // of the overlay
+  bool lines = false;         // of the light's views
+  bool map_open = false;
+  uint32_t map_layer = 0;
+  std::optional<uvec2> pick;  // pixel of the picture, to be picked in the next frame
 };
 
 // Reads --overlay ("layers", "layers,lines"), --pick ("120,80") and --map ("0"); empty: not given. Throws Error (usage), naming
@@ -26,8 +29,8 @@ ExplainOptions parse_explain_options(const std::string& overlay, const std::stri
 
 class Explain {
  public:
-  // `render_pass`: that the interface is drawn in.
-  Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options);
+  // `render_pass`: that the interface is drawn in. `options` outlive the scene.
+  Explain(Device& device, VkRenderPass render_pass, ExplainOptions& options);
 
   // Pipelines of the shaders as they are now.
   void rebuild(VkRenderPass render_pass);
@@ -57,11 +60,9 @@ class Explain {
 
   Explainer explainer_;
   MapPane map_pane_;
-  ExplainOptions options_;  // overlay and lines as they are now
-  float opacity_ = 0.6f;
+  ExplainOptions& options_;
   size_t light_ = 0;
-  bool pick_mode_ = false, map_open_;
-  uint32_t map_layer_;
+  bool pick_mode_ = false;
   std::optional<vec2> place_;  // picked, as a share of the picture: it stays where it is when the picture's size changes
   std::optional<Picked> picked_;
   std::vector<ShadowView> views_;  // of the last frame

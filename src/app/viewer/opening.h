@@ -31,7 +31,4 @@ class Opening {
   std::future<Scene> scene_;  // last: its thread uses the others
 };
 
-// The same technique and its settings on another scene: what belongs to the old scene (camera, lights, their settings) is left behind.
-ViewState state_for_scene(const ViewState& state, const std::string& scene);
-
 }  // namespace gnomon::viewer

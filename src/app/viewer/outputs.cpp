@@ -57,18 +57,27 @@ void Outputs::show_comparison(const ViewState& next, const Session& session) {
   if (ImGui::Button("Add to comparison") && !comparison_.add(next)) message_ = "the comparison has this technique with these settings";
   note_widget("add_to_comparison");
   note_text("comparison", fmt::format("{} rows{}", comparison_.size(), comparison_.busy() ? ", busy" : ""));
+  const auto& lights = session.chosen_lights();
   for (size_t row = 0; row < comparison_.size();) {
     ImGui::PushID(static_cast<int>(row));
     const bool goes = ImGui::SmallButton("x");
     ImGui::SameLine();
-    ImGui::TextUnformatted(comparison_.label(row).c_str());
+    const std::string obstacle = comparison_.obstacle(row, lights);
+    obstacle.empty() ? ImGui::TextUnformatted(comparison_.label(row).c_str())
+                     : ImGui::TextDisabled("%s (left out: %s)", comparison_.label(row).c_str(), obstacle.c_str());
     ImGui::PopID();
     goes && !comparison_.busy() ? comparison_.remove(row) : void(++row);
   }
   if (comparison_.busy()) return show_progress();
   if (comparison_.size() == 0) return;
-  if (ImGui::Button("Write report")) comparison_.write_report(next, session.options().size, free_name(report_name_));
+  const size_t measurable = comparison_.measurable(lights);
+  const std::string what = fmt::format("{} of {} in {}", measurable, comparison_.size(), next.view.scene);
+  note_text("report_of", what);
+  ImGui::TextWrapped("A report measures %s, with camera and lights as they are now.", what.c_str());
+  ImGui::BeginDisabled(measurable == 0);
+  if (ImGui::Button("Write report")) comparison_.write_report(next, lights, session.options().size, free_name(report_name_));
   note_widget("write_report");
+  ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::SetNextItemWidth(150.0f);
   ImGui::InputText("folder##report", report_name_, sizeof report_name_);

@@ -120,9 +120,8 @@ void PathPanel::record(const CameraRig& rig) {
   const bool stop = ImGui::Button(fmt::format("stop recording ({:.1f} s)###record", recorder_.time_s()).c_str());
   note_widget("stop_recording");
   if (!stop) return;
-  auto walked = recorder_.stop(fmt::format("recording {}", recorded_ + 1));
+  auto walked = recorder_.stop(fmt::format("recording {}", own_.size() + 1));
   if (!walked) fail_usage("nothing was recorded: the camera did not move");
-  ++recorded_;
   own_.push_back(std::move(*walked));
   camera_path_ = ~size_t{0};  // the last one, once the list is shown again
   camera_.time_s = 0.0;

@@ -33,28 +33,28 @@ bool has_history(const Session& session, const TechniqueSet& techniques) {
 
 }  // namespace
 
-Sides::Sides(const Start& start, const ViewState& state) : second_(start.second), other_(state), error_(start.error) {
-  if (!start.technique.empty()) other_.techniques = {start.technique};
+Sides::Sides(SidesChoice& choice, const ViewState& state) : choice_(choice) {
+  if (choice_.other.view.scene != state.view.scene) choice_.other = state_for_scene(choice_.other, state.view.scene);
 }
 
 float Sides::divider() const {
   // Until there is a reference the second picture is of another view, or of another scene.
-  if (second_ == SecondSide::none || (second_ == SecondSide::reference && !(reference_ && reference_->answer()))) return 1.0f;
-  if (flip_mode_) return flipped_ ? 0.0f : 1.0f;
-  return divider_;
+  if (choice_.second == SecondSide::none || (choice_.second == SecondSide::reference && !(reference_ && reference_->answer()))) return 1.0f;
+  if (choice_.flip_mode) return choice_.flipped ? 0.0f : 1.0f;
+  return choice_.divider;
 }
 
 ViewState Sides::second_state(const ViewState& first) const {
-  ViewState state = other_;
+  ViewState state = choice_.other;
   state.view = first.view;
   std::erase_if(state.edits, [](const auto& edit) { return of_view(edit.first); });
   for (const auto& [key, value] : first.edits) {
     if (of_view(key)) state.edits[key] = value;
   }
-  if (first.base.assignments() == other_.base.assignments()) return state;
+  if (first.base.assignments() == choice_.other.base.assignments()) return state;
   // A preset was loaded since, which has brought its own.
   state.base = {};
-  for (const std::string& assignment : other_.base.assignments()) {
+  for (const std::string& assignment : choice_.other.base.assignments()) {
     if (!of_view(assignment)) state.base.assign(assignment);
   }
   for (const std::string& assignment : first.base.assignments()) {
@@ -66,10 +66,10 @@ ViewState Sides::second_state(const ViewState& first) const {
 void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
   // Camera, lights or size may be others since the last frame: neither picture nor score may read the old answer.
   if (reference_) reference_->forget_other_view(session);
-  if (second_ == SecondSide::none) return techniques_.clear(), score_[1].reset();
+  if (choice_.second == SecondSide::none) return techniques_.clear(), score_[1].reset();
   names_[0] = fmt::format("{}", fmt::join(state.techniques, ", "));
-  if (second_ == SecondSide::settings) {
-    names_[1] = fmt::format("{}", fmt::join(other_.techniques, ", "));
+  if (choice_.second == SecondSide::settings) {
+    names_[1] = fmt::format("{}", fmt::join(choice_.other.techniques, ", "));
     return draw_settings(recorder, session, state, canvas);
   }
   techniques_.clear(), score_[1].reset();
@@ -80,7 +80,7 @@ void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& s
 void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
   const ViewState second = second_state(state);
   std::vector<std::byte> key = view_key(session.frame());
-  const std::string command = second.command(session.options().size) + (error_ ? "error" : "");
+  const std::string command = second.command(session.options().size) + (choice_.error ? "error" : "");
   append(key, std::as_bytes(std::span(command)));
   if (key != second_key_) settling_ = k_settling_frames;
   second_key_ = std::move(key);
@@ -98,7 +98,7 @@ void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState&
     score_[1] = score(session);
     back_to_first();
   } catch (const Error&) {
-    second_ = SecondSide::none;
+    choice_.second = SecondSide::none;
     back_to_first();
     throw;
   }
@@ -119,7 +119,7 @@ void Sides::draw_reference(Recorder& recorder, Session& session, Canvas& canvas)
 }
 
 void Sides::record_error(Recorder& recorder, const Frame& frame) const {
-  if (error_ && reference_ && reference_->answer()) reference_->error_view().record(recorder, frame, light_);
+  if (choice_.error && reference_ && reference_->answer()) reference_->error_view().record(recorder, frame, light_);
 }
 
 std::optional<Sides::Score> Sides::score(Session& session) const {

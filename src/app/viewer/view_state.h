@@ -25,6 +25,9 @@ struct ViewState {
   bool same_picture(const ViewState& other) const;
 };
 
+// The same technique and its settings on another scene: what belongs to the old scene (camera, lights, their settings) is left behind.
+ViewState state_for_scene(const ViewState& state, const std::string& scene);
+
 // "sun@pcf.size" -> "pcf"
 std::string part_of(const std::string& key);
 

@@ -60,35 +60,35 @@ std::optional<Opened> open_first(Screen& screen, ViewState state) {
   return Opened(opening, screen);
 }
 
-Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recent, ShaderReload& shaders, const ViewerOptions& options)
+Viewer::Viewer(Screen& screen, Opened opened, Workspace& workspace, const ViewerOptions& options)
     : screen_(screen),
       window_(screen.window),
       device_(screen.device),
-      wishes_(wishes),
-      recent_(recent),
-      shaders_(shaders),
+      workspace_(workspace),
+      wishes_(workspace.wishes),
+      shaders_(workspace.shaders),
+      outputs_(workspace.outputs),
       options_(options),
       state_(std::move(opened.state)),
       session_(std::move(opened.session)),
       techniques_(std::move(opened.techniques)),
       interface_(screen.interface),
       panels_(session_->settings()),
-      explain_(device_, interface_.render_pass(), options.explain),
-      state_panels_(state_),
+      explain_(device_, interface_.render_pass(), workspace.explain),
+      state_panels_(state_, workspace.scenes.of(state_.view.scene)),
       camera_(session_->camera(), session_->scene().bounds().radius()),
       timings_(device_.info().software),
-      outputs_(device_),
-      sides_(options.sides, state_),
-      render_scale_(wishes.target_ms, device_.info().software ? k_software_start : 1.0f),
+      sides_(workspace.sides, state_),
+      render_scale_(wishes_.target_ms, device_.info().software ? k_software_start : 1.0f),
       last_window_(screen.window.size()),
       last_frame_(std::chrono::steady_clock::now()) {
-  if (!session_->scene().source.empty()) recent_.add(session_->scene().source);
+  if (!session_->scene().source.empty()) workspace_.recent.add(session_->scene().source);
   window_.set_title("gnomon: " + state_.view.scene);
 }
 
 std::optional<Opened> Viewer::run() {
   const InterruptScope interrupt;
-  for (uint32_t frame = 0; !window_.closing() && !next_ && (options_.frames == 0 || frame < options_.frames);) {
+  while (!window_.closing() && !next_ && (options_.frames == 0 || workspace_.frames < options_.frames)) {
     check_interrupted();
     const uvec2 size = window_.size();
     const bool visible = size.x > 0 && size.y > 0;
@@ -98,7 +98,7 @@ std::optional<Opened> Viewer::run() {
     if (!visible) continue;
     if (outputs_.measuring()) std::this_thread::sleep_for(k_measuring_interval);
     draw();
-    if (!sides_.waits_for_reference()) ++frame;
+    if (!sides_.waits_for_reference()) ++workspace_.frames;
   }
   if (!next_ && !options_.screenshot.empty() && screen_.canvas.image()) write_png(options_.screenshot, screen_.canvas.read());
   return std::move(next_);
@@ -110,7 +110,7 @@ void Viewer::open(const std::string& scene) {
     return;
   }
   if (outputs_.measuring()) {
-    message_ = "a report is being measured; another scene would end it: stop it first";
+    message_ = "a report is being measured; opening a scene would disturb its times: stop it first";
     return;
   }
   message_.clear();
@@ -122,6 +122,7 @@ void Viewer::follow_drops() {
   if (!opening_ || !opening_->ready()) return;
   try {
     next_.emplace(*opening_, screen_);
+    outputs_.stop_clip();  // pictures of another scene may have another size
   } catch (const Error& error) {
     message_ = fmt::format("{} is not opened: {}", opening_->scene_name(), error.what());
   }
@@ -171,12 +172,11 @@ void Viewer::show_interface(ViewState& next) {
   panels_.set_speed(camera_.camera().speed());
   if (wishes_.interface) {
     if (begin_main_panel()) {
-      if (const auto scene = scene_panel_.show(state_.view.scene, recent_)) open(*scene);
+      if (const auto scene = scene_panel_.show(state_.view.scene, workspace_.recent)) open(*scene);
     }
     ImGui::End();
     panels_.show(next, wishes_, *session_, techniques_);
-    const bool compares = options_.sides.second != SecondSide::none || options_.sides.error;
-    if (begin_section("Compare", compares)) sides_.show(next, *session_, panels_.light());
+    if (begin_section("Compare", sides_.compares())) sides_.show(next, *session_, panels_.light());
     end_section();
     explain_.show(*session_, techniques_);
     measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
