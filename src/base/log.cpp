@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/interrupt.h"
+
 namespace gnomon {
 namespace {
 
@@ -78,6 +80,7 @@ Progress::~Progress() {
 
 void Progress::update(uint64_t done) {
   using namespace std::chrono_literals;
+  check_cancelled();
   if (!on_terminal_ && !watch_) return;
   const auto now = Clock::now();
   if (now - last_drawn_ < 100ms) return;

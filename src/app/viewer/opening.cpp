@@ -9,6 +9,7 @@ namespace gnomon::viewer {
 Opening::Opening(ViewState state) : state_(std::move(state)) {
   scene_ = std::async(std::launch::async, [this] {
     watch_.watch_this_thread();
+    Cancellation::heed(&cancellation_);
     return load_scene(state_.view.scene, state_.settings().scene_options());
   });
 }

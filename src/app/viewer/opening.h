@@ -5,6 +5,7 @@
 #include <future>
 
 #include "app/viewer/view_state.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 
 namespace gnomon::viewer {
@@ -12,6 +13,8 @@ namespace gnomon::viewer {
 class Opening {
  public:
   explicit Opening(ViewState state);
+  // Gives the scene up where it is not there yet.
+  ~Opening() { cancellation_.cancel(); }
   Opening(const Opening&) = delete;
   Opening& operator=(const Opening&) = delete;
 
@@ -28,6 +31,7 @@ class Opening {
   ViewState state_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   ProgressWatch watch_;
+  Cancellation cancellation_;
   std::future<Scene> scene_;  // last: its thread uses the others
 };
 
