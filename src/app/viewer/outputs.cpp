@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "base/error.h"
+#include "app/viewer/attempt.h"
 #include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
 #include "base/log.h"
@@ -24,12 +24,10 @@ void Outputs::show(const ViewState& next, const Session& session) {
     ImGui::SameLine();
     if (ImGui::Button("EXR, scene-linear")) want_picture(".exr");
     note_widget("picture_exr");
-    try {
+    attempt(message_, [&] {
       show_clip();
       show_comparison(next, session);
-    } catch (const Error& error) {
-      message_ = error.what();
-    }
+    });
   }
   end_section();
 }
@@ -99,11 +97,7 @@ void Outputs::take(const ViewState& state, Session& session) {
 }
 
 void Outputs::update() {
-  try {
-    comparison_.update();
-  } catch (const Error& error) {
-    message_ = error.what();
-  }
+  attempt(message_, [&] { comparison_.update(); });
   if (const std::string error = background_.take_error(); !error.empty()) {
     clip_.stop();
     message_ = error;
@@ -112,12 +106,10 @@ void Outputs::update() {
 
 void Outputs::picture(const ViewState& state, Session& session) {
   const std::filesystem::path path = free_name("gnomon", std::exchange(wanted_, {}));
-  try {
+  const bool written = attempt(message_, [&] {
     path.extension() == ".exr" ? write_exr(path, session.frame().read_linear()) : write_png(path, session.frame().read_display());
-  } catch (const Error& error) {
-    message_ = error.what();
-    return;
-  }
+  });
+  if (!written) return;
   std::cout << path.string() << std::endl;
   log_info("{} -o {}", state.command(session.options().size), shell_quoted(path.string()));
 }

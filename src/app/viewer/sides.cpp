@@ -78,23 +78,26 @@ void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& s
 }
 
 void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
-  const ViewState second = second_state(state);
+  if (!first_.same_picture(state) || !made_of_.same_picture(choice_.other)) {
+    first_ = state, made_of_ = choice_.other;
+    ViewState second = second_state(state);
+    if (!second.same_picture(second_)) second_ = std::move(second), second_key_.clear();
+  }
   std::vector<std::byte> key = view_key(session.frame());
-  const std::string command = second.command(session.options().size) + (choice_.error ? "error" : "");
-  append(key, std::as_bytes(std::span(command)));
+  append(key, std::as_bytes(std::span(&choice_.error, 1)));
   if (key != second_key_) settling_ = k_settling_frames;
   second_key_ = std::move(key);
   if (settling_ == 0) return;
   const auto back_to_first = [&] { session.change(state.view, state.settings()); };
   try {
-    session.change(second.view, second.settings());
-    techniques_.update(session, second.techniques);
+    session.change(second_.view, second_.settings());
+    techniques_.update(session, second_.techniques);
     if (!has_history(session, techniques_)) --settling_;
-    recorder.begin();
-    session.record_frame(recorder, techniques_.techniques());
-    record_error(recorder, session.frame());
-    canvas.record_picture(recorder, session.frame(), 1);
-    recorder.finish();
+    recorder.frame([&] {
+      session.record_frame(recorder, techniques_.techniques());
+      record_error(recorder, session.frame());
+      canvas.record_picture(recorder, session.frame(), 1);
+    });
     score_[1] = score(session);
     back_to_first();
   } catch (const Error&) {
@@ -112,10 +115,10 @@ void Sides::draw_reference(Recorder& recorder, Session& session, Canvas& canvas)
   if (key == second_key_) return;
   second_key_ = std::move(key);
   // The surface buffer is that of the last frame, which had the same view.
-  recorder.begin();
-  session.frame().record_shade(recorder, reference_->error_view().reference());
-  canvas.record_picture(recorder, session.frame(), 1);
-  recorder.finish();
+  recorder.frame([&] {
+    session.frame().record_shade(recorder, reference_->error_view().reference());
+    canvas.record_picture(recorder, session.frame(), 1);
+  });
 }
 
 void Sides::record_error(Recorder& recorder, const Frame& frame) const {

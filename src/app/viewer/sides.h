@@ -68,7 +68,8 @@ class Sides {
 
   SidesChoice& choice_;
   TechniqueSet techniques_;            // of choice_.other
-  std::vector<std::byte> second_key_;  // of what the second picture shows
+  ViewState first_, made_of_, second_;  // of SecondSide::settings: the state that is shown, and the two that it was made of
+  std::vector<std::byte> second_key_;   // of what the second picture shows
   int settling_ = 0;                   // frames that the second picture still needs
   size_t light_ = 0;
   std::unique_ptr<ViewReference> reference_;  // from its first use on

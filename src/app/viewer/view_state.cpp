@@ -70,8 +70,8 @@ std::vector<std::string> ViewState::words(const std::string& subcommand, const s
   return words;
 }
 
-bool ViewState::same_picture(const ViewState& other) const {
-  return view.camera == other.view.camera && view.lights == other.view.lights && view.samples == other.view.samples &&
+bool ViewState::same_but_camera(const ViewState& other) const {
+  return view.lights == other.view.lights && view.samples == other.view.samples &&
          techniques == other.techniques && edits == other.edits && base.assignments() == other.base.assignments();
 }
 

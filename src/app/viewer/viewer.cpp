@@ -9,8 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "app/viewer/attempt.h"
 #include "app/viewer/section.h"
-#include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 
@@ -120,11 +120,11 @@ void Viewer::open(const std::string& scene) {
 void Viewer::follow_drops() {
   if (!window_.dropped().empty()) open(window_.dropped().front());
   if (!opening_ || !opening_->ready()) return;
-  try {
-    next_.emplace(*opening_, screen_);
+  std::string problem;
+  if (attempt(problem, [&] { next_.emplace(*opening_, screen_); })) {
     outputs_.stop_clip();  // pictures of another scene may have another size
-  } catch (const Error& error) {
-    message_ = fmt::format("{} is not opened: {}", opening_->scene_name(), error.what());
+  } else {
+    message_ = fmt::format("{} is not opened: {}", opening_->scene_name(), problem);
   }
   opening_.reset();
 }
@@ -160,11 +160,12 @@ void Viewer::draw() {
   screen_.swapchain.present(screen_.canvas.image());
   // A reference is for one size: while it is wanted, only a camera that moves changes it.
   if (!sides_.wants_reference() || !same_view) render_scale_.add_frame(work.count());
-  guarded([&] { sides_.follow(*session_); });
+  attempt(message_, [&] { sides_.follow(*session_); });
   hand_out();
   if (says_what_is_built) {
     const ViewState built = *std::exchange(building_, std::nullopt);
-    if (!built.same_picture(state_)) apply(built);
+    if (built.same_picture(state_)) return;
+    if (const auto settings = parsed(built)) apply(built, *settings);
   }
 }
 
@@ -207,7 +208,7 @@ void Viewer::record() {
   screen_.canvas.record_picture(*recorder_, session_->frame(), 0);
   screen_.canvas.record_window(*recorder_, sides_.divider(), interface_, explain_.uses());
   timings_.add(recorder_->finish());
-  guarded([&] { explain_.collect(*session_, techniques_); });
+  attempt(message_, [&] { explain_.collect(*session_, techniques_); });
 }
 
 // What leaves the window: pictures, clips, the clipboard, the status file.
@@ -222,51 +223,46 @@ void Viewer::hand_out() {
 }
 
 void Viewer::draw_second() {
-  guarded([&] { sides_.draw_second(*recorder_, *session_, state_, screen_.canvas); });
-}
-
-// What the user may have asked for is shown; what validation says, and a lost device, end the program.
-bool Viewer::guarded(const std::function<void()>& work) {
-  try {
-    work();
-    return true;
-  } catch (const Error& error) {
-    if (device_.validates() && error.code() == ExitCode::failure) throw;
-    message_ = error.what();
-    return false;
-  }
+  attempt(message_, [&] { sides_.draw_second(*recorder_, *session_, state_, screen_.canvas); });
 }
 
 // Changes count in this frame, unless something must be built for them: then the next frame says so, and they count behind it.
 void Viewer::follow(const ViewState& next) {
-  if (!building_ && !builds(next)) {
-    if (!next.same_picture(state_)) apply(next);
-  } else {
+  if (building_) {
     building_ = next;
+    return;
+  }
+  if (next.same_picture(state_)) return;
+  const auto settings = parsed(next);
+  bool must_build = false;
+  if (!settings || !attempt(message_, [&] { must_build = builds(next, *settings); })) return;
+  if (must_build) {
+    building_ = next;
+  } else {
+    apply(next, *settings);
   }
 }
 
-bool Viewer::builds(const ViewState& next) const {
-  ViewState same_place = next;
-  same_place.view.camera = state_.view.camera;
-  if (same_place.same_picture(state_)) return false;
-  try {
-    const Settings settings = next.settings();
-    return session_->needs_new_frame(next.view, settings) || techniques_.builds(session_->frame().lights(), next.techniques, settings);
-  } catch (const Error&) {
-    return false;  // apply says what is wrong
-  }
+std::optional<Settings> Viewer::parsed(const ViewState& state) {
+  std::optional<Settings> settings;
+  attempt(message_, [&] { settings = state.settings(); });
+  return settings;
 }
 
-void Viewer::apply(const ViewState& wanted) {
+bool Viewer::builds(const ViewState& next, const Settings& settings) const {
+  if (next.same_but_camera(state_)) return false;
+  return session_->needs_new_frame(next.view, settings) || techniques_.builds(session_->frame().lights(), next.techniques, settings);
+}
+
+void Viewer::apply(const ViewState& wanted, const Settings& settings) {
   ViewState next = wanted;
   settle_samples(next.view, device_.info());
-  const auto change = [this](const ViewState& state) {
-    if (session_->needs_new_frame(state.view, state.settings())) techniques_.clear(), sides_.forget();
-    session_->change(state.view, state.settings());
+  const auto change = [this](const ViewState& state, const Settings& of_state) {
+    if (session_->needs_new_frame(state.view, of_state)) techniques_.clear(), sides_.forget();
+    session_->change(state.view, of_state);
   };
-  const bool done = guarded([&] {
-    change(next);
+  const bool done = attempt(message_, [&] {
+    change(next, settings);
     techniques_.update(*session_, next.techniques);
     if (next.techniques != state_.techniques) timings_.clear(), render_scale_.forget();
     const bool other_settings = next.edits != state_.edits || next.base.assignments() != state_.base.assignments();
@@ -275,7 +271,7 @@ void Viewer::apply(const ViewState& wanted) {
     message_.clear();
   });
   if (done) return;
-  change(state_);
+  change(state_, state_.settings());
   techniques_.update(*session_, state_.techniques);
 }
 
@@ -294,7 +290,7 @@ void Viewer::follow_size() {
   if (wanted == session_->options().size || wanted == refused_size_ || now - window_changed_ < k_size_settles) return;
   if (outputs_.recording()) return;
   refused_size_ = wanted;  // unless it goes well: the old size is then stretched to the window
-  guarded([&] {
+  attempt(message_, [&] {
     session_->resize(wanted);
     state_.view.size = wanted;
     refused_size_.reset();

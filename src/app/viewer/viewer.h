@@ -49,12 +49,12 @@ class Viewer {
   void record();
   void hand_out();
   void draw_second();
-  bool guarded(const std::function<void()>& work);  // false where it threw what is now shown
   void handle_keys();
   void move_camera(ViewState& state, float seconds);
   void follow(const ViewState& next);
-  bool builds(const ViewState& next) const;
-  void apply(const ViewState& wanted);
+  std::optional<Settings> parsed(const ViewState& state);  // nullopt: the message says what is wrong
+  bool builds(const ViewState& next, const Settings& settings) const;
+  void apply(const ViewState& wanted, const Settings& settings);
   uvec2 wanted_size() const;
   std::string command() const;  // `gnomon render ...` of the picture, without its output
   void follow_size();
