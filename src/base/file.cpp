@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 
 namespace gnomon {
 namespace {
@@ -30,7 +31,10 @@ std::vector<std::byte> read_file(const std::filesystem::path& path) {
   const auto size = std::filesystem::file_size(path, no_size);
   if (!no_size) bytes.reserve(size);
   std::byte chunk[1 << 16];
-  for (size_t count; (count = std::fread(chunk, 1, sizeof chunk, file.get())) > 0;) bytes.insert(bytes.end(), chunk, chunk + count);
+  for (size_t count; (count = std::fread(chunk, 1, sizeof chunk, file.get())) > 0;) {
+    bytes.insert(bytes.end(), chunk, chunk + count);
+    check_cancelled();
+  }
   if (std::ferror(file.get())) fail("{}: reading failed: {}", path.string(), std::strerror(errno));
   return bytes;
 }

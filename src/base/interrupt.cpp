@@ -23,6 +23,8 @@ void handle(int number, void (*handler)(int), int flags) {
   sigaction(number, &action, nullptr);
 }
 
+thread_local const Cancellation* cancellation_of_thread = nullptr;
+
 }  // namespace
 
 InterruptScope::InterruptScope() {
@@ -40,6 +42,15 @@ bool interrupted() { return flag.load(std::memory_order_relaxed); }
 
 void check_interrupted() {
   if (interrupted()) throw Interrupted();
+}
+
+const Cancellation* Cancellation::of_this_thread() { return cancellation_of_thread; }
+
+void Cancellation::heed(const Cancellation* cancellation) { cancellation_of_thread = cancellation; }
+
+void check_cancelled() {
+  const Cancellation* cancellation = cancellation_of_thread;
+  if (cancellation && cancellation->cancelled_.load(std::memory_order_relaxed)) throw Interrupted();
 }
 
 }  // namespace gnomon

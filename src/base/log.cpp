@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/interrupt.h"
 #include "base/warning_watch.h"
 
 namespace gnomon {
@@ -112,6 +113,7 @@ Progress::~Progress() {
 
 void Progress::update(uint64_t done) {
   using namespace std::chrono_literals;
+  check_cancelled();
   if (!on_terminal_ && !watch_) return;
   const auto now = Clock::now();
   if (now - last_drawn_ < 100ms) return;

@@ -8,7 +8,7 @@
 namespace gnomon {
 
 Buffer::Buffer(Device& device, std::string name, size_t bytes, BufferMemory memory, VkBufferUsageFlags extra_usage)
-    : device_(&device), name_(std::move(name)), bytes_(bytes) {
+    : device_(&device), name_(std::move(name)), bytes_(bytes), state_(std::make_shared<ResourceState>()) {
   GNOMON_ASSERT(bytes > 0);
   VkBufferCreateInfo info = {VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
   info.size = bytes;

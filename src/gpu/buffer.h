@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -35,7 +36,9 @@ class Buffer {
   VkDeviceAddress address() const { return address_; }
   size_t bytes() const { return bytes_; }
   const std::string& name() const { return name_; }
-  ResourceState& state() const { return state_; }
+  ResourceState& state() const { return *state_; }
+  // For a recorder, which takes the state back where what it recorded is never submitted; the resource may be gone by then.
+  const std::shared_ptr<ResourceState>& shared_state() const { return state_; }
 
   // CPU view of upload and readback buffers; a readback view is valid after the GPU's writes were waited for.
   std::byte* mapped() const { return mapped_; }
@@ -57,7 +60,7 @@ class Buffer {
   VkDeviceAddress address_ = 0;
   size_t bytes_ = 0;
   std::byte* mapped_ = nullptr;
-  mutable ResourceState state_;
+  std::shared_ptr<ResourceState> state_;
 };
 
 }  // namespace gnomon

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "gpu/device_errors.h"
 #include "gpu/device_info.h"
 
 namespace gnomon {
@@ -139,7 +140,7 @@ Device::~Device() {
 
 void Device::check_device(VkResult result, const char* call) {
   if (result == VK_ERROR_DEVICE_LOST) {
-    throw Error(fmt::format("{}: the GPU was lost (hung, reset or removed); the last recorded pass was '{}'", call, last_pass_), ExitCode::failure);
+    throw DeviceLost(fmt::format("{}: the GPU was lost (hung, reset or removed); the last recorded pass was '{}'", call, last_pass_));
   }
   vk_check(result, call);
 }
@@ -206,7 +207,8 @@ void Device::collect() {
 
 void Device::check_validation() {
   const auto messages = instance_.log().take();
-  if (!messages.empty()) fail("validation ({} messages):\n{}", messages.size(), fmt::join(messages, "\n"));
+  if (messages.empty()) return;
+  throw ValidationError(fmt::format("validation ({} messages):\n{}", messages.size(), fmt::join(messages, "\n")));
 }
 
 void Device::set_name(VkObjectType type, uint64_t handle, const std::string& name) const {

@@ -9,7 +9,7 @@
 
 namespace gnomon {
 
-Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(info) {
+Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(info), state_(std::make_shared<ResourceState>()) {
   VkImageFormatProperties limits = {};
   const VkResult supported = vkGetPhysicalDeviceImageFormatProperties(device.physical(), info.format, VK_IMAGE_TYPE_2D,
                                                                       VK_IMAGE_TILING_OPTIMAL, info.usage, 0, &limits);

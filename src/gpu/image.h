@@ -1,6 +1,7 @@
 // A 2D image or array: move-only, named at creation, with its place in the bindless set.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,9 @@ class Image {
   uint32_t sampled() const { return sampled_; }  // index for texture2D (MS, array) in the bindless set
   // Index for storage images in the bindless set; array images are arrays there too.
   uint32_t storage(uint32_t mip = 0) const { return storages_[mip]; }
-  ResourceState& state() const { return state_; }
+  ResourceState& state() const { return *state_; }
+  // For a recorder, which takes the state back where what it recorded is never submitted; the resource may be gone by then.
+  const std::shared_ptr<ResourceState>& shared_state() const { return state_; }
 
  private:
   void create_views();
@@ -65,7 +68,7 @@ class Image {
   std::vector<VkImageView> part_views_;  // every view but view_, for destruction
   uint32_t sampled_ = k_no_index;
   std::vector<uint32_t> storages_;      // one per mip
-  mutable ResourceState state_;
+  std::shared_ptr<ResourceState> state_;
 };
 
 }  // namespace gnomon

@@ -78,7 +78,7 @@ Recorder::Recorder(Device& device, TimingMode mode, bool isolate) : device_(devi
 }
 
 Recorder::~Recorder() {
-  if (recording_) device_.end_recording();  // an exception left the frame unfinished
+  abandon();  // an exception left the frame unfinished
   vkDeviceWaitIdle(device_.handle());
   destroy(device_, timestamps_, statistics_, pool_);
 }
@@ -98,7 +98,17 @@ void Recorder::begin_commands() {
   recording_ = true;
 }
 
+// What was recorded since the last submission never happens.
+void Recorder::abandon() {
+  if (!recording_) return;
+  for (auto change = states_before_.rbegin(); change != states_before_.rend(); ++change) *change->first = change->second;
+  states_before_.clear();
+  recording_ = false;
+  device_.end_recording();
+}
+
 void Recorder::begin() {
+  abandon();
   passes_.clear();
   count_ranges_.clear();
   has_statistics_.clear();
@@ -120,6 +130,7 @@ uint64_t Recorder::end_and_submit() {
   vk_check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
   const uint64_t value = device_.submit(commands_);
   recording_ = false;
+  states_before_.clear();
   device_.end_recording();
   record_ms_ += now_ms() - record_start_;
   return value;
@@ -134,20 +145,25 @@ double Recorder::submit_alone() {
   return record_start_ - start;
 }
 
+Transition Recorder::advance_state(const std::shared_ptr<ResourceState>& state, Use use) {
+  states_before_.emplace_back(state, *state);
+  return advance(*state, use);
+}
+
 void Recorder::barriers(std::span<const ResourceUse> uses) {
   if (mode_ == TimingMode::measure) full_barrier(commands_);
   std::vector<VkImageMemoryBarrier2> images;
   VkMemoryBarrier2 memory = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
   for (const auto& use : uses) {
     if (const auto* image = std::get_if<const Image*>(&use.resource)) {
-      const Transition transition = advance((*image)->state(), use.use);
+      const Transition transition = advance_state((*image)->shared_state(), use.use);
       if (!transition.needed) continue;
       images.push_back(image_barrier((*image)->handle(), (*image)->aspect(), transition));
       // Beside the change of layout: validation takes every image of the bindless set for used by every dispatch.
       widen(memory, transition);
     } else {
       // Buffers have no layout: one global barrier covers all of them, and drivers do the same for both forms.
-      const Transition transition = advance(std::get<const Buffer*>(use.resource)->state(), use.use);
+      const Transition transition = advance_state(std::get<const Buffer*>(use.resource)->shared_state(), use.use);
       if (transition.needed) widen(memory, transition);
     }
   }
@@ -225,6 +241,17 @@ FrameResult Recorder::finish() {
   device_.check_validation();
   collect(result);
   return result;
+}
+
+FrameResult Recorder::frame(const std::function<void()>& record) {
+  begin();
+  try {
+    record();
+    return finish();
+  } catch (...) {
+    abandon();
+    throw;
+  }
 }
 
 void Recorder::collect(FrameResult& result) {

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -123,11 +124,16 @@ class Recorder {
   void pass(std::string name, PassStage stage, std::initializer_list<ResourceUse> uses, const std::function<void(Commands&)>& record) {
     pass(std::move(name), stage, std::span(uses.begin(), uses.size()), record);
   }
-  // Submits, waits, returns the times. Throws Error with validation's messages, or when the device is lost.
+  // Submits, waits, returns the times. Throws ValidationError, DeviceLost.
   FrameResult finish();
+  // All three, with the passes that `record` writes. Where it throws, none of them is submitted, and resources are tracked as they were: for
+  // callers that go on.
+  FrameResult frame(const std::function<void()>& record);
 
  private:
   void begin_commands();
+  void abandon();
+  Transition advance_state(const std::shared_ptr<ResourceState>& state, Use use);
   uint64_t end_and_submit();
   double submit_alone();
   void barriers(std::span<const ResourceUse> uses);
@@ -138,6 +144,7 @@ class Recorder {
   TimingMode mode_;
   bool isolate_;
   bool recording_ = false;
+  std::vector<std::pair<std::shared_ptr<ResourceState>, ResourceState>> states_before_;  // since the last submission, in order
   VkCommandPool pool_ = VK_NULL_HANDLE;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   VkQueryPool timestamps_ = VK_NULL_HANDLE, statistics_ = VK_NULL_HANDLE;

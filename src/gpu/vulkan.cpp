@@ -1,7 +1,7 @@
 // Result names and the one place where a failed call becomes an Error.
 #include "gpu/vulkan.h"
 
-#include "base/error.h"
+#include "gpu/device_errors.h"
 
 namespace gnomon {
 
@@ -36,6 +36,7 @@ void vk_check(VkResult result, std::string_view call) {
     case VK_ERROR_INCOMPATIBLE_DRIVER: fail_device("{}: {}: no Vulkan driver is installed that gnomon can use", call, name);
     case VK_ERROR_FEATURE_NOT_PRESENT:
     case VK_ERROR_EXTENSION_NOT_PRESENT: fail_device("{}: {}: see 'gnomon doctor'", call, name);
+    case VK_ERROR_DEVICE_LOST: throw DeviceLost(fmt::format("{}: the GPU was lost (hung, reset or removed)", call));
     default: fail("{}: {} ({})", call, name, static_cast<int>(result));
   }
 }

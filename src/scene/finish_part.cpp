@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/interrupt.h"
 #include "scene/mesh_tools.h"
 
 namespace gnomon {
@@ -57,11 +58,13 @@ void finish_part(MeshPart& part) {
   } else {
     mend_normals(part);
   }
+  check_cancelled();
   if (part.tangents.empty()) {
     make_tangents(part);
   } else {
     mend_tangents(part);
   }
+  check_cancelled();
   optimise(part);
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "scene/finish_part.h"
 #include "scene/gltf_compression.h"
@@ -188,6 +189,7 @@ std::vector<Mesh> read_gltf_meshes(GltfDocument& document, const GltfAccessors& 
     Mesh mesh;
     mesh.name = json.text("name", json.place());
     for (const GltfValue& primitive : json.objects("primitives")) {
+      check_cancelled();
       if (auto part = Primitive(document, accessors, materials, primitive).read()) mesh.parts.push_back(std::move(*part));
     }
     meshes.push_back(std::move(mesh));

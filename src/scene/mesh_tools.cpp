@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 
 namespace gnomon {
 namespace {
@@ -53,8 +54,10 @@ void for_each_group(const std::vector<uint32_t>& keys, uint32_t key_count, const
   for (const uint32_t key : keys) ++end_of[key + 1];
   std::partial_sum(end_of.begin(), end_of.end(), end_of.begin());
   for (uint32_t i = 0; i < keys.size(); ++i) items[end_of[keys[i]]++] = i;
-  for (size_t begin = 0, key = 0; key < key_count; begin = end_of[key++])
+  for (size_t begin = 0, key = 0; key < key_count; begin = end_of[key++]) {
+    check_cancelled();
     work(items.begin() + begin, items.begin() + end_of[key]);
+  }
 }
 
 // Equal keys in ascending order of the items: the outcome must not depend on the sort.
@@ -251,7 +254,9 @@ void optimise(MeshPart& part) {
                                                          std::size(streams));
   remap_vertices(part, table, unique);
 
+  check_cancelled();
   meshopt_optimizeVertexCache(part.indices.data(), part.indices.data(), part.indices.size(), unique);
+  check_cancelled();
   table.resize(unique);
   const size_t used = meshopt_optimizeVertexFetchRemap(table.data(), part.indices.data(), part.indices.size(), unique);
   remap_vertices(part, table, used);

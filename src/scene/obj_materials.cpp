@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "scene/obj_text.h"
 #include "scene/parallel.h"
@@ -134,6 +135,8 @@ class Pictures {
       try {
         entry.encoded = read_file(entry.path);
         entry.image = decode_image(entry.encoded, entry.path.string());
+      } catch (const Interrupted&) {
+        throw;
       } catch (const Error& error) {
         entry.problem = error.what();
       }

@@ -4,10 +4,13 @@
 #include <bit>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "scene/finish_part.h"
 
 namespace gnomon {
 namespace {
+
+constexpr size_t k_corners_between_checks = size_t{1} << 16;  // for a cancellation
 
 // Numbers distinct corners in their order of appearance. Open addressing: std::unordered_map takes a third of the loading time.
 class CornerTable {
@@ -60,6 +63,7 @@ MeshPart build_obj_part(const ObjVertices& vertices, const ObjFaces& faces) {
     const auto [vertex, is_new] = numbers.insert(c);
     if (is_new) add_vertex(part, vertices, c);
     part.indices.push_back(vertex);
+    if (part.indices.size() % k_corners_between_checks == 0) check_cancelled();
   }
   finish_part(part);
   return part;

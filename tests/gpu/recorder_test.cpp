@@ -143,6 +143,39 @@ TEST(Recorder, TooManyPassesIsAnErrorThatNamesThePass) {
   EXPECT_NE(message.find(fmt::format("'pass {}'", Recorder::k_max_passes)), std::string::npos) << message;
 }
 
+TEST(Recorder, AFrameThatFailsHasNeverHappened) {
+  ImageInfo info;
+  info.name = "picture";
+  info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  const Image picture(device(), info);
+  const auto use = [&](Recorder& recorder, Use how) { recorder.pass("use", PassStage::other, {{picture, how}}, [](Commands&) {}); };
+  Recorder kept(device(), TimingMode::play, false);
+  kept.frame([&] { use(kept, Use::copy_write); });
+  const auto fails = [&](Recorder& recorder) {
+    use(recorder, Use::compute_read);
+    recorder.pass("fails", PassStage::other, {{picture, Use::copy_read}}, [](Commands&) { fail("no"); });
+  };
+  EXPECT_EQ(test::error_of([&] { kept.frame([&] { fails(kept); }); }, ExitCode::failure), "no");
+  EXPECT_EQ(picture.state().layout, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  // The same where nobody said frame(): a recorder that goes away, and one that begins again.
+  test::error_of([&] { test::run_passes(fails); }, ExitCode::failure);
+  EXPECT_EQ(picture.state().layout, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+  kept.begin();
+  test::error_of([&] { fails(kept); }, ExitCode::failure);
+  // A barrier from a layout that the image never had would be what validation says.
+  kept.frame([&] { use(kept, Use::copy_read); });
+  // What a frame names may be gone when it fails.
+  test::error_of(
+      [&] {
+        kept.frame([&] {
+          const Image gone(device(), info);
+          kept.pass("use", PassStage::other, {{gone, Use::copy_write}}, [](Commands&) { fail("no"); });
+        });
+      },
+      ExitCode::failure);
+  kept.frame([] {});
+}
+
 TEST(Recorder, StagesHaveNames) {
   std::set<std::string_view> names;
   for (const PassStage stage : {PassStage::surface, PassStage::build, PassStage::resolve, PassStage::shade, PassStage::other}) {

@@ -151,5 +151,19 @@ TEST(ViewerPreset, the_command_of_a_state_is_the_state) {
   expect_same(again, expected, k_names);
 }
 
+TEST(ViewState, another_camera_is_another_picture_and_nothing_else) {
+  const ViewState state = edited_state();
+  ViewState moved = state;
+  moved.view.camera = "9,9,9:0,0,0";
+  EXPECT_FALSE(moved.same_picture(state));
+  EXPECT_TRUE(moved.same_but_camera(state));
+  ViewState other = state;
+  other.edits["pcf.size"] = "11";
+  EXPECT_FALSE(other.same_but_camera(state));
+  other = state;
+  other.view.lights = {"point:0,3,0"};
+  EXPECT_FALSE(other.same_but_camera(state));
+}
+
 }  // namespace
 }  // namespace gnomon::viewer

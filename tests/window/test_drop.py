@@ -1,6 +1,9 @@
 """Files dragged from elsewhere onto the window."""
+import contextlib
 import json
+import os
 import struct
+import threading
 import unittest
 
 from case import QUICK, WindowCase
@@ -86,6 +89,31 @@ class Drop(WindowCase):
         self.assertIn("render chart/slab", moved["command"])
         viewer.until(lambda status: "render town" in status["command"], "the town", 120)
         self.close(viewer)
+
+    def test_end_while_a_file_is_read(self):
+        """Nobody waits for the rest of a file whose scene is not wanted any more."""
+        endless = self.folder / "endless.obj"
+        os.mkfifo(endless)
+        viewer = self.open("chart/slab", *QUICK)
+        viewer.fill("scene_path", str(endless))
+        viewer.press("Return")
+        ended = threading.Event()
+        pipe = os.open(endless, os.O_RDWR | os.O_NONBLOCK)  # needs nobody who reads
+        self.addCleanup(os.close, pipe)
+
+        def feed():
+            while not ended.wait(0.01):
+                with contextlib.suppress(BlockingIOError):
+                    os.write(pipe, b"v 0 0 0\n" * 500)
+        writer = threading.Thread(target=feed)
+        writer.start()
+        try:
+            viewer.until(lambda status: status["loading"], "a scene that is being opened")
+            self.close(viewer)
+        finally:
+            viewer.kill()
+            ended.set()
+            writer.join()
 
     def test_what_cannot_be_opened(self):
         path = self.folder / "broken file.obj"

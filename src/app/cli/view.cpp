@@ -37,28 +37,26 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   options.window = window.needs();
   Device device(options);
   viewer::Screen screen(window, device);
-  viewer::Wishes wishes;
+  viewer::Workspace workspace(device);
+  workspace.explain = explain;
+  workspace.sides.other = state;
+  workspace.sides.error = arguments.error;
+  if (!arguments.split.empty()) {
+    const bool reference = arguments.split == "reference";
+    workspace.sides.second = reference ? viewer::SecondSide::reference : viewer::SecondSide::settings;
+    if (!reference) workspace.sides.other.techniques = {find_technique(arguments.split).name};
+  }
+  viewer::Wishes& wishes = workspace.wishes;
   wishes.adapt_size = arguments.scale == 0.0f;
   if (!wishes.adapt_size) wishes.scale = arguments.scale;
   wishes.target_ms = arguments.frame_ms;
   wishes.interface = !arguments.no_panels;
-  viewer::ViewerOptions how{arguments.frames, arguments.screenshot, {}, explain};
-  how.sides.error = arguments.error;
-  if (!arguments.split.empty()) {
-    const bool reference = arguments.split == "reference";
-    how.sides.second = reference ? viewer::SecondSide::reference : viewer::SecondSide::settings;
-    if (!reference) how.sides.technique = find_technique(arguments.split).name;
-  }
-  viewer::RecentFiles recent;
-  viewer::ShaderReload shaders;
   auto opened = viewer::open_first(screen, std::move(state));
-  if (opened && how.sides.second == viewer::SecondSide::settings) {
-    for (const Light& light : opened->session->frame().lights()) viewer::required_technique({how.sides.technique}, light);
+  if (opened && workspace.sides.second == viewer::SecondSide::settings) {
+    for (const Light& light : opened->session->frame().lights()) viewer::required_technique(workspace.sides.other.techniques, light);
   }
-  while (opened) {
-    opened = viewer::Viewer(screen, std::move(*opened), wishes, recent, shaders, how).run();
-    how.explain.pick.reset(), how.explain.map_layer.reset();  // of the first scene
-  }
+  const viewer::ViewerOptions how{arguments.frames, arguments.screenshot};
+  while (opened) opened = viewer::Viewer(screen, std::move(*opened), workspace, how).run();
 #else
   static_cast<void>(arguments), static_cast<void>(technique_given), static_cast<void>(globals);
   fail_device("this gnomon was built without its viewer; use 'gnomon render' or 'gnomon compare'");

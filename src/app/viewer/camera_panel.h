@@ -9,6 +9,8 @@ namespace gnomon::viewer {
 
 class CameraPanel {
  public:
+  explicit CameraPanel(SavedCameras& saved) : saved_(saved) {}
+
   // True when another camera was chosen.
   bool show(ViewState& state, CameraRig& rig, Session& session);
   // O, 1 to 9, and with Control; a double-click on the picture.
@@ -18,7 +20,7 @@ class CameraPanel {
   void show_centre(const CameraRig& rig, Session& session) const;
 
  private:
-  SavedCameras saved_;
+  SavedCameras& saved_;
 };
 
 }  // namespace gnomon::viewer

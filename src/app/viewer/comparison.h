@@ -1,5 +1,6 @@
 // Collected settings, and the report that `gnomon compare` makes of them: each is measured by a program of its own, so that the window
-// lives on and every row has a command.
+// lives on and every row has a command. A row belongs to no scene, unless it has settings for a light by name: the report is of the scene
+// that is shown when it is written.
 #pragma once
 
 #include <filesystem>
@@ -23,8 +24,15 @@ class Comparison {
   size_t size() const { return rows_.size(); }
   std::string label(size_t row) const;
 
-  // Measures every row in the view of `now`: its scene, camera and lights. Throws Error where the folder cannot be made.
-  void write_report(const ViewState& now, uvec2 size, const std::filesystem::path& folder);
+  // Why a row cannot be measured under these lights; empty where it can.
+  std::string obstacle(size_t row, std::span<const Light> lights) const;
+  // How many can.
+  size_t measurable(std::span<const Light> lights) const;
+  // `compare SCENE ...` that measures a row in the view of `now`: its scene, camera and lights.
+  std::vector<std::string> words(size_t row, const ViewState& now, uvec2 size) const;
+
+  // Measures every row that can be, one at least. `lights`: those of `now`. Throws Error where the folder cannot be made.
+  void write_report(const ViewState& now, std::span<const Light> lights, uvec2 size, const std::filesystem::path& folder);
   // Call it once a frame: goes on with the next command where one has ended. Throws Error where one failed: the report is then given up.
   void update();
   void stop();
@@ -43,7 +51,7 @@ class Comparison {
   };
   void next();
   void merge() const;
-  std::filesystem::path row_folder(size_t row) const;
+  std::filesystem::path step_folder(size_t step) const;
 
   std::vector<std::string> device_;
   std::vector<Row> rows_;

@@ -47,13 +47,8 @@ vec2 screen_size() { return {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().Displa
 
 }  // namespace
 
-Explain::Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options, SharedReference& rays)
-    : rays_(rays),
-      explainer_(device),
-      map_pane_(device, render_pass),
-      options_(options),
-      map_open_(options.map_layer),
-      map_layer_(options.map_layer.value_or(0)) {}
+Explain::Explain(Device& device, VkRenderPass render_pass, ExplainOptions& options, SharedReference& rays)
+    : rays_(rays), explainer_(device), map_pane_(device, render_pass), options_(options) {}
 
 void Explain::rebuild(VkRenderPass render_pass) {
   explainer_.forget_shaders();
@@ -72,14 +67,14 @@ void Explain::show(Session& session, const TechniqueSet& techniques, float divid
     show_pick_window(*picked_, divider >= 1.0f ? PickedSide::only : place_->x < divider ? PickedSide::first : PickedSide::second, open);
     if (!open) place_.reset(), picked_.reset();
   }
-  if (map_open_) map_pane_.show(techniques.techniques()[light_]->shadow_map(), map_layer_, map_open_);
+  if (options_.map_open) map_pane_.show(techniques.techniques()[light_]->shadow_map(), options_.map_layer, options_.map_open);
 }
 
 void Explain::handle_keys(const Window& window) {
   if (ImGui::GetIO().WantTextInput || window.control_held()) return;
   if (window.pressed(GLFW_KEY_V)) options_.overlay = (options_.overlay + 1) % k_overlay_count;
   if (window.pressed(GLFW_KEY_L)) options_.lines = !options_.lines;
-  if (window.pressed(GLFW_KEY_M)) map_open_ = !map_open_;
+  if (window.pressed(GLFW_KEY_M)) options_.map_open = !options_.map_open;
   if (window.pressed(GLFW_KEY_P)) pick_mode_ = !pick_mode_;
 }
 
@@ -121,7 +116,7 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
       note_widget("overlay");
     }
     if (options_.overlay != k_overlay_none) {
-      ImGui::SliderFloat("opacity", &opacity_, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+      ImGui::SliderFloat("opacity", &options_.opacity, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
       if (overlay_needs_map(options_.overlay) && !has_map) {
         remark("this technique has no map");
       } else {
@@ -135,7 +130,7 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
       held_.reset();
       if (hold) held_ = Held{views_, session.frame().camera()};
     }
-    ImGui::Checkbox("map (M)", &map_open_);
+    ImGui::Checkbox("map (M)", &options_.map_open);
     note_widget("map");
     ImGui::SameLine();
     ImGui::Checkbox("pick (P)", &pick_mode_);
@@ -159,8 +154,8 @@ void Explain::show_marks(Session& session) {
 }
 
 void Explain::check_map_layer(const TechniqueSpec& spec, const std::optional<ShadowMapView>& map) {
-  if (!options_.map_layer) return;
-  const uint32_t layer = *std::exchange(options_.map_layer, std::nullopt);
+  if (!std::exchange(options_.map_layer_given, false)) return;
+  const uint32_t layer = options_.map_layer;
   if (!map) fail_usage("--map {}: {} has no shadow map; valid: with a technique that has one", layer, spec.name);
   if (layer < map->layers) return;
   const std::string valid = map->layers == 1 ? "0" : fmt::format("0 to {}", map->layers - 1);
@@ -178,10 +173,10 @@ void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& t
   check_map_layer(techniques.spec(light_), technique.shadow_map());
   overlay_drawn_ = options_.overlay != k_overlay_none && (technique.shadow_map() || !overlay_needs_map(options_.overlay));
   if (options_.overlay != k_overlay_none)
-    explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, opacity_);
+    explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, options_.opacity);
   if (place_) explainer_.record_pick(recorder, frame, light_, technique, pixel(session));
   if (options_.lines || overlay_needs_map(options_.overlay)) explainer_.record_views(recorder, technique);
-  map_pane_.record(recorder, technique.shadow_map(), map_layer_);
+  map_pane_.record(recorder, technique.shadow_map(), options_.map_layer);
 }
 
 void Explain::collect(Session& session, const TechniqueSet& techniques) {

@@ -13,11 +13,15 @@
 
 namespace gnomon::viewer {
 
+// What the user has chosen to see.
 struct ExplainOptions {
   uint32_t overlay = k_overlay_none;
-  bool lines = false;                 // of the light's views
-  std::optional<uvec2> pick;          // pixel of the picture
-  std::optional<uint32_t> map_layer;  // opens the map
+  float opacity = 0.6f;       // of the overlay
+  bool lines = false;         // of the light's views
+  bool map_open = false;
+  uint32_t map_layer = 0;
+  bool map_layer_given = false;  // it must exist, or else the next frame fails
+  std::optional<uvec2> pick;  // pixel of the picture, to be picked in the next frame
 };
 
 // Reads --overlay ("layers", "layers,lines"), --pick ("120,80") and --map ("0"); empty: not given. Throws Error (usage), naming
@@ -26,8 +30,8 @@ ExplainOptions parse_explain_options(const std::string& overlay, const std::stri
 
 class Explain {
  public:
-  // `render_pass`: that the interface is drawn in. Keeps a reference to `rays`.
-  Explain(Device& device, VkRenderPass render_pass, const ExplainOptions& options, SharedReference& rays);
+  // `render_pass`: that the interface is drawn in. `options` outlive the scene; keeps a reference to `rays`.
+  Explain(Device& device, VkRenderPass render_pass, ExplainOptions& options, SharedReference& rays);
 
   // Pipelines of the shaders as they are now.
   void rebuild(VkRenderPass render_pass);
@@ -42,7 +46,7 @@ class Explain {
   void record(Recorder& recorder, Session& session, const TechniqueSet& techniques);
   // Once the recorder has finished.
   void collect(Session& session, const TechniqueSet& techniques);
-  bool reads_frame() const { return place_ || map_open_ || options_.lines || options_.overlay != k_overlay_none; }
+  bool reads_frame() const { return place_ || options_.map_open || options_.lines || options_.overlay != k_overlay_none; }
   // What the overlay is called; empty where none lies over the picture.
   std::string overlay_drawn() const;
   // What the pass that draws the interface must name.
@@ -62,12 +66,10 @@ class Explain {
   SharedReference& rays_;
   Explainer explainer_;
   MapPane map_pane_;
-  ExplainOptions options_;  // overlay and lines as they are now
+  ExplainOptions& options_;
   bool overlay_drawn_ = false;
-  float opacity_ = 0.6f;
   size_t light_ = 0;
-  bool pick_mode_ = false, map_open_;
-  uint32_t map_layer_;
+  bool pick_mode_ = false;
   std::optional<vec2> place_;  // picked, as a share of the picture: it stays where it is when the picture's size changes
   std::optional<Picked> picked_;
   std::vector<ShadowView> views_;  // of the last frame

@@ -50,8 +50,10 @@ ExplainOptions parse_explain_options(const std::string& overlay, const std::stri
     options.pick = uvec2(*x, *y);
   }
   if (!map.empty()) {
-    options.map_layer = number_of(map);
-    if (!options.map_layer) fail_usage("--map {}: valid: the number of a layer, from 0", map);
+    const auto layer = number_of(map);
+    if (!layer) fail_usage("--map {}: valid: the number of a layer, from 0", map);
+    options.map_open = options.map_layer_given = true;
+    options.map_layer = *layer;
   }
   return options;
 }

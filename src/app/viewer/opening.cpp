@@ -9,6 +9,7 @@ namespace gnomon::viewer {
 Opening::Opening(ViewState state) : state_(std::move(state)) {
   scene_ = std::async(std::launch::async, [this] {
     watch_.watch_this_thread();
+    Cancellation::heed(&cancellation_);
     return load_scene(state_.view.scene, state_.settings().scene_options());
   });
 }
@@ -27,20 +28,6 @@ std::unique_ptr<Session> Opening::finish(Device& device, uvec2 size) {
   auto session = std::make_unique<Session>(device, state_.view, state_.settings(), std::move(scene));
   state_.view.samples = session->options().samples;  // as offered
   return session;
-}
-
-ViewState state_for_scene(const ViewState& state, const std::string& scene) {
-  ViewState next;
-  next.view.scene = scene;
-  next.view.size = state.view.size;
-  next.view.samples = state.view.samples, next.view.fewer_samples = true;
-  next.techniques = state.techniques;
-  const Settings settings = state.settings();
-  for (const std::string& assignment : settings.assignments()) {
-    const std::string id = assignment.substr(0, assignment.find('.'));  // with its light, where it is for one
-    if (Settings::is_technique_part(id) || id == "frame" || id == "reference") next.base.assign(assignment);
-  }
-  return next;
 }
 
 }  // namespace gnomon::viewer

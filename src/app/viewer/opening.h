@@ -5,6 +5,7 @@
 #include <future>
 
 #include "app/viewer/view_state.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/warning_watch.h"
 
@@ -13,6 +14,8 @@ namespace gnomon::viewer {
 class Opening {
  public:
   explicit Opening(ViewState state);
+  // Gives the scene up where it is not there yet.
+  ~Opening() { cancellation_.cancel(); }
   Opening(const Opening&) = delete;
   Opening& operator=(const Opening&) = delete;
 
@@ -32,10 +35,8 @@ class Opening {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   ProgressWatch watch_;
   WarningWatch warnings_;
+  Cancellation cancellation_;
   std::future<Scene> scene_;  // last: its thread uses the others
 };
-
-// The same technique and its settings on another scene: what belongs to the old scene (camera, lights, their settings) is left behind.
-ViewState state_for_scene(const ViewState& state, const std::string& scene);
 
 }  // namespace gnomon::viewer

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "base/error.h"
+#include "app/viewer/attempt.h"
 #include "app/viewer/notice.h"
 #include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
@@ -25,12 +25,10 @@ void Outputs::show(const ViewState& next, const Session& session) {
     ImGui::SameLine();
     if (ImGui::Button("EXR, scene-linear")) want_picture(".exr");
     note_widget("picture_exr");
-    try {
+    attempt(message_, [&] {
       show_clip();
       show_comparison(next, session);
-    } catch (const Error& error) {
-      message_ = error.what();
-    }
+    });
   }
   end_section();
 }
@@ -58,18 +56,27 @@ void Outputs::show_comparison(const ViewState& next, const Session& session) {
   if (ImGui::Button("Add to comparison") && !comparison_.add(next)) message_ = "the comparison has this technique with these settings";
   note_widget("add_to_comparison");
   note_text("comparison", fmt::format("{} rows{}", comparison_.size(), comparison_.busy() ? ", busy" : ""));
+  const auto& lights = session.chosen_lights();
   for (size_t row = 0; row < comparison_.size();) {
     ImGui::PushID(static_cast<int>(row));
     const bool goes = ImGui::SmallButton("x");
     ImGui::SameLine();
-    ImGui::TextUnformatted(comparison_.label(row).c_str());
+    const std::string obstacle = comparison_.obstacle(row, lights);
+    obstacle.empty() ? ImGui::TextUnformatted(comparison_.label(row).c_str())
+                     : ImGui::TextDisabled("%s (left out: %s)", comparison_.label(row).c_str(), obstacle.c_str());
     ImGui::PopID();
     goes && !comparison_.busy() ? comparison_.remove(row) : void(++row);
   }
   if (comparison_.busy()) return show_progress();
   if (comparison_.size() == 0) return;
-  if (ImGui::Button("Write report")) comparison_.write_report(next, session.options().size, free_name(report_name_));
+  const size_t measurable = comparison_.measurable(lights);
+  const std::string what = fmt::format("{} of {} in {}", measurable, comparison_.size(), next.view.scene);
+  note_text("report_of", what);
+  ImGui::TextWrapped("A report measures %s, with camera and lights as they are now.", what.c_str());
+  ImGui::BeginDisabled(measurable == 0);
+  if (ImGui::Button("Write report")) comparison_.write_report(next, lights, session.options().size, free_name(report_name_));
   note_widget("write_report");
+  ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::SetNextItemWidth(150.0f);
   ImGui::InputText("folder##report", report_name_, sizeof report_name_);
@@ -91,11 +98,7 @@ void Outputs::take(const ViewState& state, Session& session, const std::string& 
 }
 
 void Outputs::update() {
-  try {
-    comparison_.update();
-  } catch (const Error& error) {
-    message_ = error.what();
-  }
+  attempt(message_, [&] { comparison_.update(); });
   if (const std::string error = background_.take_error(); !error.empty()) {
     clip_.stop();
     message_ = error;
@@ -104,12 +107,10 @@ void Outputs::update() {
 
 void Outputs::picture(const ViewState& state, Session& session, const std::string& drawn_over, std::string& notice) {
   const std::filesystem::path path = free_name("gnomon", std::exchange(wanted_, {}));
-  try {
+  const bool written = attempt(message_, [&] {
     path.extension() == ".exr" ? write_exr(path, session.frame().read_linear()) : write_png(path, session.frame().read_display());
-  } catch (const Error& error) {
-    message_ = error.what();
-    return;
-  }
+  });
+  if (!written) return;
   std::cout << path.string() << std::endl;
   log_info("{} -o {}", state.command(session.options().size), shell_quoted(path.string()));
   // Scene-linear values have nothing drawn over them.

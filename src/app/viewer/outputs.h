@@ -29,6 +29,7 @@ class Outputs {
   bool wants_frame() const { return !wanted_.empty() || clip_.running(); }
   // A clip is being taken: its pictures must be of one size.
   bool recording() const { return clip_.running(); }
+  void stop_clip() { clip_.stop(); }
   // What failed, until it is closed.
   std::string& message() { return message_; }
 

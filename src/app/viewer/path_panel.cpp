@@ -162,9 +162,8 @@ void PathPanel::record(const ViewState& state, const Session& session, const Cam
   const bool stop = ImGui::Button(fmt::format("stop recording ({:.1f} s)###record", recorder_.time_s()).c_str());
   note_widget("stop_recording");
   if (!stop) return;
-  auto recording = recorder_.stop(fmt::format("recording {}", recorded_ + 1));
+  auto recording = recorder_.stop(fmt::format("recording {}", own_.size() + 1));
   if (!recording) fail_usage("nothing was recorded: neither camera nor sun moved");
-  ++recorded_;
   done_ = fmt::format("recorded {}", what_moves(*recording));
   take(*std::move(recording));
 }

@@ -10,6 +10,9 @@ namespace gnomon::viewer {
 
 class PathPanel {
  public:
+  // `own`: what is recorded or loaded is added there.
+  explicit PathPanel(std::vector<Recording>& own) : own_(own) {}
+
   // Moves camera and sun of the state as time passes. True when it placed the camera.
   bool advance(ViewState& state, const Session& session, const CameraRig& rig, double seconds);
   // Throws Error where a file cannot be read or written.
@@ -28,8 +31,7 @@ class PathPanel {
   Playhead camera_, sun_;
   bool camera_scrubbed_ = false, sun_scrubbed_ = false;
   size_t camera_path_ = 0, sun_path_ = 0;  // of the scene's, then of own ones
-  std::vector<Recording> own_;             // recorded or loaded
-  int recorded_ = 0;
+  std::vector<Recording>& own_;            // recorded or loaded
   PathRecorder recorder_;
   char file_[256] = "walk.json";
   std::string done_;  // what was written or read last

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "base/error.h"
+#include "app/viewer/attempt.h"
 #include "base/log.h"
 
 namespace gnomon::viewer {
@@ -26,15 +26,15 @@ void ShaderReload::update(const std::function<void()>& rebuild) {
     words[name] = std::move(code);
   }
   set_replaced_shaders(std::move(words));
-  try {
-    rebuild();
+  std::string problem;
+  if (attempt(problem, rebuild)) {
     log_info("compiled again: {}", fmt::join(names, ", "));
-  } catch (const Error& error) {
-    message_ = fmt::format("{}: {}", fmt::join(names, ", "), error.what());
-    log_warning("{}", message_);
-    set_replaced_shaders(std::move(before));
-    rebuild();
+    return;
   }
+  message_ = fmt::format("{}: {}", fmt::join(names, ", "), problem);
+  log_warning("{}", message_);
+  set_replaced_shaders(std::move(before));
+  rebuild();
 }
 
 }  // namespace gnomon::viewer

@@ -24,29 +24,28 @@ bool of_view(const std::string& key) {
 
 }  // namespace
 
-Sides::Sides(const Start& start, const ViewState& state, SharedReference& rays)
-    : rays_(rays), second_(start.second), other_(state), error_(start.error) {
-  if (!start.technique.empty()) other_.techniques = {start.technique};
+Sides::Sides(SidesChoice& choice, const ViewState& state, SharedReference& rays) : rays_(rays), choice_(choice) {
+  if (choice_.other.view.scene != state.view.scene) choice_.other = state_for_scene(choice_.other, state.view.scene);
 }
 
 float Sides::divider() const {
   // Until there is a reference the second picture is of another view, or of another scene.
-  if (second_ == SecondSide::none || (second_ == SecondSide::reference && !(reference_ && reference_->answer()))) return 1.0f;
-  if (flip_mode_) return flipped_ ? 0.0f : 1.0f;
-  return divider_;
+  if (choice_.second == SecondSide::none || (choice_.second == SecondSide::reference && !(reference_ && reference_->answer()))) return 1.0f;
+  if (choice_.flip_mode) return choice_.flipped ? 0.0f : 1.0f;
+  return choice_.divider;
 }
 
 ViewState Sides::second_state(const ViewState& first) const {
-  ViewState state = other_;
+  ViewState state = choice_.other;
   state.view = first.view;
   std::erase_if(state.edits, [](const auto& edit) { return of_view(edit.first); });
   for (const auto& [key, value] : first.edits) {
     if (of_view(key)) state.edits[key] = value;
   }
-  if (first.base.assignments() == other_.base.assignments()) return state;
+  if (first.base.assignments() == choice_.other.base.assignments()) return state;
   // A preset was loaded since, which has brought its own.
   state.base = {};
-  for (const std::string& assignment : other_.base.assignments()) {
+  for (const std::string& assignment : choice_.other.base.assignments()) {
     if (!of_view(assignment)) state.base.assign(assignment);
   }
   for (const std::string& assignment : first.base.assignments()) {
@@ -58,13 +57,13 @@ ViewState Sides::second_state(const ViewState& first) const {
 void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
   // Camera, lights or size may be others since the last frame: neither picture nor score may read the old answer.
   if (reference_) reference_->forget_other_view(session);
-  if (second_ == SecondSide::none) return techniques_.clear(), score_[1].reset();
+  if (choice_.second == SecondSide::none) return techniques_.clear(), score_[1].reset();
   const auto name_of_side = [&](const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names_in_force(names, session.frame().lights()), ", "));
   };
   names_[0] = name_of_side(state.techniques);
-  if (second_ == SecondSide::settings) {
-    names_[1] = name_of_side(other_.techniques);
+  if (choice_.second == SecondSide::settings) {
+    names_[1] = name_of_side(choice_.other.techniques);
     return draw_settings(recorder, session, state, canvas);
   }
   techniques_.clear(), score_[1].reset();
@@ -73,27 +72,30 @@ void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& s
 }
 
 void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
-  const ViewState second = second_state(state);
+  if (!first_.same_picture(state) || !made_of_.same_picture(choice_.other)) {
+    first_ = state, made_of_ = choice_.other;
+    ViewState second = second_state(state);
+    if (!second.same_picture(second_)) second_ = std::move(second), second_key_.clear();
+  }
   std::vector<std::byte> key = view_key(session.frame());
-  const std::string command = second.command(session.options().size) + (error_ ? "error" : "");
-  append(key, std::as_bytes(std::span(command)));
+  append(key, std::as_bytes(std::span(&choice_.error, 1)));
   if (key != second_key_) settling_ = k_settling_frames;
   second_key_ = std::move(key);
   if (settling_ == 0) return;
   const auto back_to_first = [&] { session.change(state.view, state.settings()); };
   try {
-    session.change(second.view, second.settings());
-    techniques_.update(session, second.techniques);
+    session.change(second_.view, second_.settings());
+    techniques_.update(session, second_.techniques);
     if (!techniques_.has_history()) --settling_;
-    recorder.begin();
-    session.record_frame(recorder, techniques_.techniques());
-    record_error(recorder, session.frame());
-    canvas.record_picture(recorder, session.frame(), 1);
-    recorder.finish();
+    recorder.frame([&] {
+      session.record_frame(recorder, techniques_.techniques());
+      record_error(recorder, session.frame());
+      canvas.record_picture(recorder, session.frame(), 1);
+    });
     score_[1] = score(session);
     back_to_first();
   } catch (const Error&) {
-    second_ = SecondSide::none;
+    choice_.second = SecondSide::none;
     back_to_first();
     throw;
   }
@@ -107,10 +109,10 @@ void Sides::draw_reference(Recorder& recorder, Session& session, Canvas& canvas)
   if (key == second_key_) return;
   second_key_ = std::move(key);
   // The surface buffer is that of the last frame, which had the same view.
-  recorder.begin();
-  session.frame().record_shade(recorder, reference_->error_view().reference());
-  canvas.record_picture(recorder, session.frame(), 1);
-  recorder.finish();
+  recorder.frame([&] {
+    session.frame().record_shade(recorder, reference_->error_view().reference());
+    canvas.record_picture(recorder, session.frame(), 1);
+  });
 }
 
 void Sides::record_error(Recorder& recorder, const Frame& frame) const {

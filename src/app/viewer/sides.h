@@ -14,16 +14,19 @@ namespace gnomon::viewer {
 
 enum class SecondSide { none, settings, reference };
 
+// What the user has chosen to compare.
+struct SidesChoice {
+  SecondSide second = SecondSide::none;
+  ViewState other;  // of SecondSide::settings; camera and lights are those of the first side
+  bool flip_mode = false, flipped = false;
+  float divider = 0.5f;
+  bool error = false, scores = false;  // error: over the picture
+};
+
 class Sides {
  public:
-  // How it starts.
-  struct Start {
-    SecondSide second = SecondSide::none;
-    std::string technique;  // of other settings; empty: as the first side
-    bool error = false;     // error over the picture
-  };
-  // Keeps a reference to `rays`.
-  Sides(const Start& start, const ViewState& state, SharedReference& rays);
+  // `choice` outlives the scene: where it was made in another one, what belongs to that scene is left behind. Keeps a reference to `rays`.
+  Sides(SidesChoice& choice, const ViewState& state, SharedReference& rays);
 
   // `light`: whose error is shown. Exchanging the sides changes `state`.
   void show(ViewState& state, const Session& session, size_t light);
@@ -41,14 +44,15 @@ class Sides {
   float divider() const;
   // The other picture, whole; from a split picture the second one.
   void flip() {
-    if (second_ != SecondSide::none) flipped_ = !flip_mode_ || !flipped_, flip_mode_ = true;
+    if (choice_.second != SecondSide::none) choice_.flipped = !choice_.flip_mode || !choice_.flipped, choice_.flip_mode = true;
   }
-  void toggle_error() { error_ = !error_; }
-  bool shows_error() const { return error_ && reference_ && reference_->answer(); }
+  void toggle_error() { choice_.error = !choice_.error; }
+  bool shows_error() const { return choice_.error && reference_ && reference_->answer(); }
   // The session's frame is made again: nothing of the old one may be held.
   void forget() { techniques_.clear(), second_key_.clear(), score_ = {}, reference_.reset(); }
-  bool second_settings() const { return second_ == SecondSide::settings; }
-  bool wants_reference() const { return second_ == SecondSide::reference || error_ || scores_; }
+  bool second_settings() const { return choice_.second == SecondSide::settings; }
+  bool compares() const { return choice_.second != SecondSide::none || choice_.error; }
+  bool wants_reference() const { return choice_.second == SecondSide::reference || choice_.error || choice_.scores; }
   bool waits_for_reference() const { return wants_reference() && !(reference_ && reference_->complete()); }
 
  private:
@@ -65,14 +69,11 @@ class Sides {
   void show_scores() const;
 
   SharedReference& rays_;
-  SecondSide second_;
-  ViewState other_;           // of SecondSide::settings; camera and lights are those of the first side
-  TechniqueSet techniques_;   // of other_
-  std::vector<std::byte> second_key_;  // of what the second picture shows
-  int settling_ = 0;          // frames that the second picture still needs
-  bool flip_mode_ = false, flipped_ = false;
-  float divider_ = 0.5f;
-  bool error_, scores_ = false;
+  SidesChoice& choice_;
+  TechniqueSet techniques_;            // of choice_.other
+  ViewState first_, made_of_, second_;  // of SecondSide::settings: the state that is shown, and the two that it was made of
+  std::vector<std::byte> second_key_;   // of what the second picture shows
+  int settling_ = 0;                   // frames that the second picture still needs
   size_t light_ = 0;
   std::unique_ptr<ViewReference> reference_;  // from its first use on
   std::array<std::optional<Score>, 2> score_;

@@ -14,45 +14,45 @@ namespace gnomon::viewer {
 void Sides::show(ViewState& state, const Session& session, size_t light) {
   if (light != light_) score_ = {}, settling_ = std::max(settling_, 1);
   light_ = std::min(light, session.chosen_lights().size() - 1);
-  const int second = static_cast<int>(second_);
+  const int second = static_cast<int>(choice_.second);
   ImGui::SetNextItemWidth(0.6f * ImGui::GetContentRegionAvail().x);
   constexpr std::array<const char*, 3> k_names = {"none", "other settings", "reference"};
   if (ImGui::BeginCombo("second side", k_names[static_cast<size_t>(second)])) {
     for (int i = 0; i < static_cast<int>(k_names.size()); ++i) {
       const char* name = k_names[static_cast<size_t>(i)];
-      if (ImGui::Selectable(name, i == second)) second_ = static_cast<SecondSide>(i), second_key_.clear();
+      if (ImGui::Selectable(name, i == second)) choice_.second = static_cast<SecondSide>(i), second_key_.clear();
       note_widget("second_side", name);
     }
     ImGui::EndCombo();
   } else {
     note_widget("second_side");
   }
-  if (second_ != SecondSide::none) {
-    int flips = flip_mode_;
+  if (choice_.second != SecondSide::none) {
+    int flips = choice_.flip_mode;
     ImGui::RadioButton("split", &flips, 0);
     note_widget("split");
     ImGui::SameLine();
     ImGui::RadioButton("flip (B)", &flips, 1);
     note_widget("flip");
-    flip_mode_ = flips != 0;
+    choice_.flip_mode = flips != 0;
   }
-  if (second_ == SecondSide::settings) {
-    if (ImGui::Button("second as first")) other_ = state;
+  if (choice_.second == SecondSide::settings) {
+    if (ImGui::Button("second as first")) choice_.other = state;
     note_widget("second_as_first");
     ImGui::SameLine();
     if (ImGui::Button("exchange")) {
       ViewState first = second_state(state);
-      other_ = std::exchange(state, std::move(first));
+      choice_.other = std::exchange(state, std::move(first));
       techniques_.clear();
     }
     note_widget("exchange");
   }
-  ImGui::Checkbox("error over the picture (X)", &error_);
+  ImGui::Checkbox("error over the picture (X)", &choice_.error);
   note_widget("error");
   ImGui::SameLine();
-  ImGui::Checkbox("scores", &scores_);
+  ImGui::Checkbox("scores", &choice_.scores);
   note_widget("scores");
-  if (error_) {
+  if (choice_.error) {
     ImGui::TextColored({0.95f, 0.33f, 0.05f, 1.0f}, "darker than the reference (false shadow)");
     ImGui::TextColored({0.15f, 0.55f, 0.98f, 1.0f}, "brighter (false light)");
   }
@@ -75,7 +75,7 @@ void Sides::show_scores() const {
   if (!score_[0] || !ImGui::BeginTable("scores", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
   ImGui::TableSetupColumn("mask against the area reference");
   ImGui::TableSetupColumn("first");
-  ImGui::TableSetupColumn(second_ == SecondSide::settings ? "second" : "");
+  ImGui::TableSetupColumn(choice_.second == SecondSide::settings ? "second" : "");
   ImGui::TableHeadersRow();
   const auto row = [&](const char* name, const char* format, double factor, auto value) {
     ImGui::TableNextRow();
@@ -99,8 +99,8 @@ void Sides::show_scores() const {
 }
 
 void Sides::show_divider() {
-  if (second_ == SecondSide::none) return;
-  note_text("sides", fmt::format("{} | {}{}", names_[0], names_[1], flip_mode_ ? (flipped_ ? ", second" : ", first") : ""));
+  if (choice_.second == SecondSide::none) return;
+  note_text("sides", fmt::format("{} | {}{}", names_[0], names_[1], choice_.flip_mode ? (choice_.flipped ? ", second" : ", first") : ""));
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImDrawList* lines = ImGui::GetBackgroundDrawList();
   const auto label = [&](const std::string& text, float x, bool before) {
@@ -109,11 +109,11 @@ void Sides::show_divider() {
     lines->AddRectFilled({at.x - 4.0f, at.y - 2.0f}, {at.x + size.x + 4.0f, at.y + size.y + 2.0f}, IM_COL32(0, 0, 0, 170), 3.0f);
     lines->AddText(at, IM_COL32_WHITE, text.c_str());
   };
-  if (flip_mode_) {
-    label(names_[flipped_ ? 1 : 0] + (flipped_ ? " (second)" : " (first)"), screen.x, true);
+  if (choice_.flip_mode) {
+    label(names_[choice_.flipped ? 1 : 0] + (choice_.flipped ? " (second)" : " (first)"), screen.x, true);
     return;
   }
-  const float x = divider_ * screen.x;
+  const float x = choice_.divider * screen.x;
   constexpr float k_grip = 12.0f;
   ImGui::SetNextWindowPos({x - k_grip, 0.0f});
   ImGui::SetNextWindowSize({2.0f * k_grip, screen.y});
@@ -124,7 +124,7 @@ void Sides::show_divider() {
     ImGui::InvisibleButton("grip", {2.0f * k_grip, screen.y});
     note_widget("divider");
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemActive()) divider_ = std::clamp(ImGui::GetIO().MousePos.x / screen.x, 0.02f, 0.98f);
+    if (ImGui::IsItemActive()) choice_.divider = std::clamp(ImGui::GetIO().MousePos.x / screen.x, 0.02f, 0.98f);
   }
   ImGui::End();
   ImGui::PopStyleVar();

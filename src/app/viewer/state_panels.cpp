@@ -5,25 +5,11 @@
 
 #include <algorithm>
 
+#include "app/viewer/attempt.h"
 #include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
-#include "base/error.h"
 
 namespace gnomon::viewer {
-namespace {
-
-// What the user may have asked for is shown; the program goes on.
-template <class Do>
-void attempt(std::string& message, const Do& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    message = error.what();
-  }
-}
-
-}  // namespace
-
 void StatePanels::before_panels(ViewState& state, CameraRig& rig, Session& session, const Window& window, double seconds,
                                 std::string& message) {
   now_s_ += seconds;

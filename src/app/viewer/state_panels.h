@@ -5,13 +5,15 @@
 #include "app/viewer/light_panel.h"
 #include "app/viewer/path_panel.h"
 #include "app/viewer/preset_panel.h"
+#include "app/viewer/scene_work.h"
 #include "app/viewer/undo_history.h"
 
 namespace gnomon::viewer {
 
 class StatePanels {
  public:
-  explicit StatePanels(const ViewState& first) : history_(first) {}
+  // `work` outlives the scene.
+  StatePanels(const ViewState& first, SceneWork& work) : history_(first), cameras_(work.cameras), paths_(work.paths) {}
 
   // Before the user's own steps: `moved` is true when those of this frame move the camera. Changes `state` by keys, clicks and
   // time. `message` gets what was not possible.

@@ -79,9 +79,23 @@ std::vector<std::string> ViewState::words(const std::string& subcommand, const s
   return words;
 }
 
-bool ViewState::same_picture(const ViewState& other) const {
-  return view.camera == other.view.camera && view.lights == other.view.lights && view.samples == other.view.samples &&
+bool ViewState::same_but_camera(const ViewState& other) const {
+  return view.lights == other.view.lights && view.samples == other.view.samples &&
          techniques == other.techniques && edits == other.edits && base.assignments() == other.base.assignments();
+}
+
+ViewState state_for_scene(const ViewState& state, const std::string& scene) {
+  ViewState next;
+  next.view.scene = scene;
+  next.view.size = state.view.size;
+  next.view.samples = state.view.samples, next.view.fewer_samples = true;
+  next.techniques = state.techniques;
+  const Settings settings = state.settings();
+  for (const std::string& assignment : settings.assignments()) {
+    const std::string id = assignment.substr(0, assignment.find('.'));  // with its light, where it is for one
+    if (Settings::is_technique_part(id) || id == "frame" || id == "reference") next.base.assign(assignment);
+  }
+  return next;
 }
 
 }  // namespace gnomon::viewer

@@ -22,8 +22,12 @@ struct ViewState {
   std::string command(uvec2 size) const;
   // The same as words: `render SCENE --size ... --technique ... --set ...`, or another subcommand that takes techniques.
   std::vector<std::string> words(const std::string& subcommand, const std::string& technique_option, uvec2 size) const;
-  bool same_picture(const ViewState& other) const;
+  bool same_picture(const ViewState& other) const { return view.camera == other.view.camera && same_but_camera(other); }
+  bool same_but_camera(const ViewState& other) const;
 };
+
+// The same technique and its settings on another scene: what belongs to the old scene (camera, lights, their settings) is left behind.
+ViewState state_for_scene(const ViewState& state, const std::string& scene);
 
 // "sun@pcf.size" -> "pcf"
 std::string part_of(const std::string& key);

@@ -9,9 +9,9 @@
 #include <thread>
 #include <utility>
 
+#include "app/viewer/attempt.h"
 #include "app/viewer/notice.h"
 #include "app/viewer/section.h"
-#include "base/error.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 
@@ -54,13 +54,14 @@ std::optional<Opened> open_first(Screen& screen, ViewState state) {
   return Opened(opening, screen);
 }
 
-Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recent, ShaderReload& shaders, const ViewerOptions& options)
+Viewer::Viewer(Screen& screen, Opened opened, Workspace& workspace, const ViewerOptions& options)
     : screen_(screen),
       window_(screen.window),
       device_(screen.device),
-      wishes_(wishes),
-      recent_(recent),
-      shaders_(shaders),
+      workspace_(workspace),
+      wishes_(workspace.wishes),
+      shaders_(workspace.shaders),
+      outputs_(workspace.outputs),
       options_(options),
       state_(std::move(opened.state)),
       session_(std::move(opened.session)),
@@ -68,23 +69,22 @@ Viewer::Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recen
       rays_(session_->scene()),
       interface_(screen.interface),
       panels_(session_->settings()),
-      explain_(device_, interface_.render_pass(), options.explain, rays_),
-      state_panels_(state_),
+      explain_(device_, interface_.render_pass(), workspace.explain, rays_),
+      state_panels_(state_, workspace.scenes.of(state_.view.scene)),
       camera_(session_->camera(), session_->scene().bounds().radius()),
       timings_(device_.info().software),
-      outputs_(device_),
-      sides_(options.sides, state_, rays_),
-      render_scale_(wishes.target_ms, device_.info().software ? k_software_start : 1.0f),
+      sides_(workspace.sides, state_, rays_),
+      render_scale_(wishes_.target_ms, device_.info().software ? k_software_start : 1.0f),
       last_window_(screen.window.size()),
       last_frame_(std::chrono::steady_clock::now()) {
   notice_ = warnings_notice(state_.view.scene, opened.warnings);
-  if (!session_->scene().source.empty()) recent_.add(session_->scene().source);
+  if (!session_->scene().source.empty()) workspace_.recent.add(session_->scene().source);
   window_.set_title("gnomon: " + state_.view.scene);
 }
 
 std::optional<Opened> Viewer::run() {
   const InterruptScope interrupt;
-  for (uint32_t frame = 0; !window_.closing() && !next_ && (options_.frames == 0 || frame < options_.frames);) {
+  while (!window_.closing() && !next_ && (options_.frames == 0 || workspace_.frames < options_.frames)) {
     check_interrupted();
     const uvec2 size = window_.size();
     const bool visible = size.x > 0 && size.y > 0;
@@ -94,7 +94,7 @@ std::optional<Opened> Viewer::run() {
     if (!visible) continue;
     if (outputs_.measuring()) std::this_thread::sleep_for(k_measuring_interval);
     draw();
-    if (!sides_.waits_for_reference()) ++frame;
+    if (!sides_.waits_for_reference()) ++workspace_.frames;
   }
   if (!next_ && !options_.screenshot.empty() && screen_.canvas.image()) write_png(options_.screenshot, screen_.canvas.read());
   return std::move(next_);
@@ -106,7 +106,7 @@ void Viewer::open(const std::string& scene) {
     return;
   }
   if (outputs_.measuring()) {
-    message_ = "a report is being measured; another scene would end it: stop it first";
+    message_ = "a report is being measured; opening a scene would disturb its times: stop it first";
     return;
   }
   message_.clear();
@@ -116,10 +116,11 @@ void Viewer::open(const std::string& scene) {
 void Viewer::follow_drops() {
   if (!window_.dropped().empty()) open(window_.dropped().front());
   if (!opening_ || !opening_->ready()) return;
-  try {
-    next_.emplace(*opening_, screen_);
-  } catch (const Error& error) {
-    message_ = fmt::format("{} is not opened: {}", opening_->scene_name(), error.what());
+  std::string problem;
+  if (attempt(problem, [&] { next_.emplace(*opening_, screen_); })) {
+    outputs_.stop_clip();  // pictures of another scene may have another size
+  } else {
+    message_ = fmt::format("{} is not opened: {}", opening_->scene_name(), problem);
   }
   opening_.reset();
 }
@@ -156,11 +157,12 @@ void Viewer::draw() {
   screen_.swapchain.present(screen_.canvas.image());
   // A reference is for one size: while it is wanted, only a camera that moves changes it.
   follow_pace(work.count(), !sides_.wants_reference() || !same_view);
-  if (!draws_small_maps()) guarded([&] { sides_.follow(*session_); });
+  if (!draws_small_maps()) attempt(message_, [&] { sides_.follow(*session_); });
   hand_out();
   if (says_what_is_built) {
     const ViewState built = *std::exchange(building_, std::nullopt);
-    if (!built.same_picture(state_)) apply(built);
+    if (built.same_picture(state_)) return;
+    if (const auto settings = parsed(built)) apply(built, *settings);
   }
 }
 
@@ -169,12 +171,11 @@ void Viewer::show_interface(ViewState& next) {
   panels_.set_map_divisor(pace_.slow() ? pace_.divisor() : 1);
   if (wishes_.interface) {
     if (begin_main_panel()) {
-      if (const auto scene = scene_panel_.show(state_.view.scene, recent_)) open(*scene);
+      if (const auto scene = scene_panel_.show(state_.view.scene, workspace_.recent)) open(*scene);
     }
     ImGui::End();
     panels_.show(next, wishes_, *session_, techniques_);
-    const bool compares = options_.sides.second != SecondSide::none || options_.sides.error;
-    if (begin_section("Compare", compares)) sides_.show(next, *session_, panels_.light());
+    if (begin_section("Compare", sides_.compares())) sides_.show(next, *session_, panels_.light());
     end_section();
     explain_.show(*session_, techniques_, sides_.divider());
     measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
@@ -219,7 +220,7 @@ void Viewer::record() {
   const FrameResult result = recorder_->finish();
   // The time of another frame is not that of its techniques.
   if (draws && !draws_small_maps()) timings_.add(result);
-  guarded([&] { explain_.collect(*session_, techniques_); });
+  attempt(message_, [&] { explain_.collect(*session_, techniques_); });
 }
 
 void Viewer::record_picture(Recorder& recorder) {
@@ -267,7 +268,7 @@ void Viewer::follow_pace(float work_ms, bool size_is_free) {
   if (!pace_.slow()) {
     small_.clear();
   } else if (!was_slow || divisor != pace_.divisor()) {
-    if (!guarded([&] { small_.update(*session_, state_.techniques, pace_.divisor()); })) pace_.forget();
+    if (!attempt(message_, [&] { small_.update(*session_, state_.techniques, pace_.divisor()); })) pace_.forget();
   }
   // Of a slow view, it is the frames while something changes that must be fast.
   const bool counts = !pace_.slow() || draws_small_maps();
@@ -285,51 +286,46 @@ void Viewer::hand_out() {
 }
 
 void Viewer::draw_second() {
-  guarded([&] { sides_.draw_second(*recorder_, *session_, state_, screen_.canvas); });
-}
-
-// What the user may have asked for is shown; what validation says, and a lost device, end the program.
-bool Viewer::guarded(const std::function<void()>& work) {
-  try {
-    work();
-    return true;
-  } catch (const Error& error) {
-    if (device_.validates() && error.code() == ExitCode::failure) throw;
-    message_ = error.what();
-    return false;
-  }
+  attempt(message_, [&] { sides_.draw_second(*recorder_, *session_, state_, screen_.canvas); });
 }
 
 // Changes count in this frame, unless something must be built for them: then the next frame says so, and they count behind it.
 void Viewer::follow(const ViewState& next) {
-  if (!building_ && !builds(next)) {
-    if (!next.same_picture(state_)) apply(next);
-  } else {
+  if (building_) {
     building_ = next;
+    return;
+  }
+  if (next.same_picture(state_)) return;
+  const auto settings = parsed(next);
+  bool must_build = false;
+  if (!settings || !attempt(message_, [&] { must_build = builds(next, *settings); })) return;
+  if (must_build) {
+    building_ = next;
+  } else {
+    apply(next, *settings);
   }
 }
 
-bool Viewer::builds(const ViewState& next) const {
-  ViewState same_place = next;
-  same_place.view.camera = state_.view.camera;
-  if (same_place.same_picture(state_)) return false;
-  try {
-    const Settings settings = next.settings();
-    return session_->needs_new_frame(next.view, settings) || techniques_.builds(session_->frame().lights(), next.techniques, settings);
-  } catch (const Error&) {
-    return false;  // apply says what is wrong
-  }
+std::optional<Settings> Viewer::parsed(const ViewState& state) {
+  std::optional<Settings> settings;
+  attempt(message_, [&] { settings = state.settings(); });
+  return settings;
 }
 
-void Viewer::apply(const ViewState& wanted) {
+bool Viewer::builds(const ViewState& next, const Settings& settings) const {
+  if (next.same_but_camera(state_)) return false;
+  return session_->needs_new_frame(next.view, settings) || techniques_.builds(session_->frame().lights(), next.techniques, settings);
+}
+
+void Viewer::apply(const ViewState& wanted, const Settings& settings) {
   ViewState next = wanted;
   settle_samples(next.view, device_.info());
-  const auto change = [this](const ViewState& state) {
-    if (session_->needs_new_frame(state.view, state.settings())) techniques_.clear(), small_.clear(), sides_.forget();
-    session_->change(state.view, state.settings());
+  const auto change = [this](const ViewState& state, const Settings& of_state) {
+    if (session_->needs_new_frame(state.view, of_state)) techniques_.clear(), small_.clear(), sides_.forget();
+    session_->change(state.view, of_state);
   };
-  const bool done = guarded([&] {
-    change(next);
+  const bool done = attempt(message_, [&] {
+    change(next, settings);
     techniques_.update(*session_, next.techniques);
     if (next.techniques != state_.techniques) timings_.clear(), render_scale_.forget(), pace_.forget(), small_.clear();
     if (pace_.slow()) small_.update(*session_, next.techniques, pace_.divisor());
@@ -339,7 +335,7 @@ void Viewer::apply(const ViewState& wanted) {
     message_.clear();
   });
   if (done) return;
-  change(state_);
+  change(state_, state_.settings());
   techniques_.update(*session_, state_.techniques);
   if (pace_.slow()) small_.update(*session_, state_.techniques, pace_.divisor());
 }
@@ -362,7 +358,7 @@ bool Viewer::follow_size() {
   if (wanted == session_->options().size || wanted == refused_size_ || now - window_changed_ < k_size_settles) return false;
   if (outputs_.recording()) return false;
   refused_size_ = wanted;  // unless it goes well: the old size is then stretched to the window
-  return guarded([&] {
+  return attempt(message_, [&] {
     session_->resize(wanted);
     state_.view.size = wanted;
     refused_size_.reset();

@@ -6,28 +6,22 @@
 #include <memory>
 #include <optional>
 
-#include "app/viewer/explain.h"
 #include "app/viewer/camera_rig.h"
 #include "app/viewer/opening.h"
 #include "app/viewer/measure_panel.h"
-#include "app/viewer/outputs.h"
 #include "app/viewer/pace.h"
-#include "app/viewer/panels.h"
 #include "app/viewer/render_scale.h"
 #include "app/viewer/scene_panel.h"
 #include "app/viewer/screen.h"
-#include "app/viewer/shader_reload.h"
 #include "app/viewer/state_panels.h"
-#include "app/viewer/sides.h"
 #include "app/viewer/status_file.h"
+#include "app/viewer/workspace.h"
 
 namespace gnomon::viewer {
 
 struct ViewerOptions {
-  uint32_t frames = 0;               // ends after so many; 0: when the user closes the window
+  uint32_t frames = 0;               // ends after so many, of all scenes; 0: when the user closes the window
   std::filesystem::path screenshot;  // the last frame with the interface; with a reference that is complete, where one is wanted
-  Sides::Start sides;
-  ExplainOptions explain;
 };
 
 // A scene that has been opened, and what it is shown with.
@@ -47,8 +41,7 @@ std::optional<Opened> open_first(Screen& screen, ViewState state);
 // One scene, from its first frame until another one is opened or the window is closed.
 class Viewer {
  public:
-  // `wishes` outlive the scene, as do recent files and shaders: what those were compared with is the text at the program's start.
-  Viewer(Screen& screen, Opened opened, Wishes& wishes, RecentFiles& recent, ShaderReload& shaders, const ViewerOptions& options);
+  Viewer(Screen& screen, Opened opened, Workspace& workspace, const ViewerOptions& options);
   // The scene that the user opened next; nullopt: the window is closed. Throws Interrupted.
   std::optional<Opened> run();
 
@@ -65,12 +58,12 @@ class Viewer {
   void draw_second();
   std::string& failure();          // that is shown now, of whoever failed first; empty: none
   std::string drawn_over() const;  // the picture, beside what its command draws
-  bool guarded(const std::function<void()>& work);  // false where it threw what is now shown
   void handle_keys();
   void move_camera(ViewState& state, float seconds);
   void follow(const ViewState& next);
-  bool builds(const ViewState& next) const;
-  void apply(const ViewState& wanted);
+  std::optional<Settings> parsed(const ViewState& state);  // nullopt: the message says what is wrong
+  bool builds(const ViewState& next, const Settings& settings) const;
+  void apply(const ViewState& wanted, const Settings& settings);
   uvec2 wanted_size() const;
   std::string command() const;  // `gnomon render ...` of the picture, without its output
   bool follow_size();  // whether the picture has another size
@@ -81,9 +74,10 @@ class Viewer {
   Screen& screen_;
   Window& window_;
   Device& device_;
+  Workspace& workspace_;
   Wishes& wishes_;
-  RecentFiles& recent_;
   ShaderReload& shaders_;
+  Outputs& outputs_;
   ViewerOptions options_;
   ViewState state_;
   std::unique_ptr<Session> session_;
@@ -100,7 +94,6 @@ class Viewer {
   CameraRig camera_;
   Timings timings_;
   MeasurePanel measure_;
-  Outputs outputs_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<Recorder> patient_;  // of the picture that stays
   bool recorder_separates_ = false;

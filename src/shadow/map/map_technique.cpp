@@ -133,7 +133,12 @@ void MapTechnique::record(Recorder& recorder, const Frame& frame, size_t light) 
   if (!map_is_current_) unsettled_ = 0.0f;
   kept_ = submission_.cache && !moved && map_is_current_ && unsettled_ <= k_settled;
   if (!kept_) {
-    record_map(recorder, frame, light);
+    try {
+      record_map(recorder, frame, light);
+    } catch (...) {
+      map_is_current_ = false;  // the recorder may have given it up halfway
+      throw;
+    }
     unsettled_ *= history_;
   }
   map_is_current_ = true;

@@ -1,0 +1,27 @@
+// What the user has made and chosen, and keeps when another scene takes the place of the shown one. The command line says how it begins.
+#pragma once
+
+#include "app/viewer/explain.h"
+#include "app/viewer/outputs.h"
+#include "app/viewer/panels.h"
+#include "app/viewer/recent_files.h"
+#include "app/viewer/scene_work.h"
+#include "app/viewer/shader_reload.h"
+#include "app/viewer/sides.h"
+
+namespace gnomon::viewer {
+
+struct Workspace {
+  explicit Workspace(Device& device) : outputs(device) {}
+
+  Wishes wishes;
+  SidesChoice sides;
+  ExplainOptions explain;
+  Outputs outputs;
+  SceneWorks scenes;
+  RecentFiles recent;
+  ShaderReload shaders;  // what changed is what differs from the text at the program's start
+  uint32_t frames = 0;   // shown, of all scenes
+};
+
+}  // namespace gnomon::viewer
