@@ -163,7 +163,7 @@ TEST(Recorder, AFrameThatFailsHasNeverHappened) {
   kept.begin();
   test::error_of([&] { fails(kept); }, ExitCode::failure);
   // A barrier from a layout that the image never had would be what validation says.
-  kept.frame([&] { use(kept, Use::copy_read); });
+  kept.frame([&] { use(kept, Use::compute_read); });
   // What a frame names may be gone when it fails.
   test::error_of(
       [&] {
