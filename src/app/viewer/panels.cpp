@@ -65,11 +65,14 @@ void Panels::window(Wishes& wishes, const Session& session) const {
   }
   const uvec2 size = session.options().size;
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  ImGui::TextWrapped("%u x %u; W A S D Q E, right mouse button; %.3g m/s (wheel)", size.x, size.y, static_cast<double>(speed_m_s_));
+  // One line in either case: what is below must not move.
   if (map_divisor_ > 1) {
-    ImGui::TextWrapped("while it moves, maps of 1/%u of their side", map_divisor_);
+    ImGui::Text("%u x %u; maps of 1/%u while it moves", size.x, size.y, map_divisor_);
     note_text("small_maps", fmt::format("1/{}", map_divisor_));
+  } else {
+    ImGui::Text("%u x %u", size.x, size.y);
   }
+  ImGui::Text("W A S D Q E, right mouse button; %.3g m/s", static_cast<double>(speed_m_s_));
   ImGui::PopStyleColor();
 }
 

@@ -260,7 +260,7 @@ void Viewer::choose_draws() {
 void Viewer::follow_pace(float work_ms, bool size_is_free) {
   const bool was_slow = pace_.slow();
   const uint32_t divisor = pace_.divisor();
-  pace_.add_frame(work_ms, wishes_.target_ms);
+  wishes_.adapt_size ? pace_.add_frame(work_ms, wishes_.target_ms) : pace_.forget();
   if (was_slow != pace_.slow()) {
     render_scale_.forget();
     render_scale_.set_least(pace_.slow() ? RenderScale::k_least_moving : RenderScale::k_least);
