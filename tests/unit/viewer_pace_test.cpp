@@ -1,5 +1,6 @@
 // What a slow view draws, frame by frame.
 #include "app/viewer/pace.h"
+#include "app/viewer/render_scale.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,8 @@ namespace gnomon::viewer {
 namespace {
 
 using Draws = Pace::Draws;
+
+constexpr float k_target = 40.0f;
 
 // Frames of 10 ms.
 struct Clock {
@@ -16,8 +19,8 @@ struct Clock {
   Draws frame(bool changed, float ms, bool may_shrink = true, bool may_stay = true) {
     now += std::chrono::milliseconds(10);
     const Draws draws = pace.next(changed, may_shrink, may_stay, now);
-    if (pace.draws_once()) pace.done();
-    pace.add_frame(ms, 40.0f);
+    if (pace.draws_once()) pace.done(ms, k_target);
+    pace.add_frame(ms, k_target, true);
     return draws;
   }
   // The last of so many.
@@ -105,10 +108,50 @@ TEST(Pace, MapsBecomeSmallerWhereThatIsNotEnough) {
   EXPECT_FALSE(clock.pace.slow());
 }
 
+TEST(Pace, AViewThatIsFastAgainIsDrawnInFull) {
+  Clock clock;
+  clock.become_slow();
+  clock.frame(true, 30.0f);
+  clock.frames(40, false, 25.0f);  // fewer texels were asked for
+  EXPECT_FALSE(clock.pace.slow());
+  EXPECT_EQ(clock.frame(true, 25.0f), Draws::full);
+}
+
+TEST(Pace, WhereSmallerMapsCannotBeHadNoViewIsSlow) {
+  Clock clock;
+  clock.become_slow();
+  clock.pace.refuse();
+  EXPECT_EQ(clock.frames(100, true, 200.0f), Draws::full);
+  clock.pace.forget();
+  clock.become_slow();
+  EXPECT_TRUE(clock.pace.slow());
+}
+
+// Together with the size: frames of fixed_ms + full_ms * scale^2.
+bool becomes_slow(float fixed_ms, float full_ms, float start) {
+  Pace pace;
+  RenderScale scale(k_target, start);
+  for (int i = 0; i < 200 && !pace.slow(); ++i) {
+    const float ms = fixed_ms + full_ms * scale.scale() * scale.scale();
+    pace.add_frame(ms, k_target, scale.exhausted());
+    scale.add_frame(ms);
+  }
+  return pace.slow();
+}
+
+TEST(Pace, OnlyWhatNoSizeMakesFastIsSlow) {
+  EXPECT_FALSE(becomes_slow(2.0f, 58.0f, 1.0f));
+  EXPECT_FALSE(becomes_slow(5.0f, 300.0f, 1.0f));
+  EXPECT_FALSE(becomes_slow(20.0f, 100.0f, 0.35f));
+  EXPECT_TRUE(becomes_slow(100.0f, 30.0f, 1.0f));
+  EXPECT_TRUE(becomes_slow(100.0f, 300.0f, 0.35f));
+  EXPECT_TRUE(becomes_slow(5.0f, 3000.0f, 0.35f)) << "no size is small enough";
+}
+
 TEST(Pace, AnotherTargetBeginsAnew) {
   Clock clock;
   clock.become_slow();
-  clock.pace.add_frame(100.0f, 200.0f);
+  clock.pace.add_frame(100.0f, 200.0f, true);
   EXPECT_FALSE(clock.pace.slow());
 }
 

@@ -13,6 +13,7 @@ class Explain(WindowCase):
         self.viewer = self.open("courtyard", *WIDE, "--technique", "cascaded/pcf", "--set", "cascaded.size=256")
         # The first frames have the window's size.
         self.viewer.until(lambda status: status["picture_size"] == [275, 160], "the picture's size")
+        self.viewer.point(480, 600)  # no tooltip of where the pointer was left
 
     def seen(self):
         self.viewer.frames(3)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <optional>
 
 #include <backends/imgui_impl_glfw.h>
@@ -20,56 +21,64 @@ constexpr VkDescriptorPoolSize k_pool_size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_
 
 void check(VkResult result) { vk_check(result, "Dear ImGui"); }
 
-// The rectangle that a list of commands begins with, if that is one of a single opaque colour: a window's background.
+// In pixels of the target.
 struct Background {
-  ImVec2 min, max;
+  VkRect2D area;
   ImU32 colour;
 };
 
-std::optional<Background> background_of(const ImDrawList& list) {
+// The rectangle that a list of commands begins with, if it is one of a single opaque colour on whole pixels: a window's background.
+std::optional<Background> background_of(const ImDrawList& list, const ImDrawData& data, uvec2 target) {
   constexpr unsigned k_indices = 6;
   if (list.CmdBuffer.empty() || list.CmdBuffer[0].UserCallback || list.CmdBuffer[0].ElemCount < k_indices) return std::nullopt;
   const ImDrawCmd& command = list.CmdBuffer[0];
   const ImDrawIdx* indices = &list.IdxBuffer[static_cast<int>(command.IdxOffset)];
   const ImDrawVert* corners = &list.VtxBuffer[static_cast<int>(command.VtxOffset)];
   const ImDrawVert &first = corners[indices[0]], &opposite = corners[indices[2]];
+  const ImVec2 white = ImGui::GetIO().Fonts->TexUvWhitePixel;
   for (unsigned i = 0; i < k_indices; ++i) {
     const ImDrawVert& corner = corners[indices[i]];
-    const bool on_corner = (corner.pos.x == first.pos.x || corner.pos.x == opposite.pos.x) && (corner.pos.y == first.pos.y || corner.pos.y == opposite.pos.y);
-    if (!on_corner || corner.col != first.col) return std::nullopt;
+    const bool on_corner =
+        (corner.pos.x == first.pos.x || corner.pos.x == opposite.pos.x) && (corner.pos.y == first.pos.y || corner.pos.y == opposite.pos.y);
+    if (!on_corner || corner.col != first.col || corner.uv.x != white.x || corner.uv.y != white.y) return std::nullopt;
   }
   if (first.col >> IM_COL32_A_SHIFT != 0xFF) return std::nullopt;
-  return Background{first.pos, opposite.pos, first.col};
+  const auto pixels = [&](const ImVec2& at) {
+    return vec2((at.x - data.DisplayPos.x) * data.FramebufferScale.x, (at.y - data.DisplayPos.y) * data.FramebufferScale.y);
+  };
+  const vec2 min = pixels(first.pos), max = pixels(opposite.pos);
+  if (glm::floor(min) != min || glm::floor(max) != max) return std::nullopt;
+  const ivec2 from = glm::clamp(ivec2(min), ivec2(0), ivec2(target)), to = glm::clamp(ivec2(max), ivec2(0), ivec2(target));
+  if (to.x <= from.x || to.y <= from.y) return std::nullopt;
+  return Background{{{from.x, from.y}, {static_cast<uint32_t>(to.x - from.x), static_cast<uint32_t>(to.y - from.y)}}, first.col};
 }
 
-// Inside the render pass, in the place of the rectangle.
-void clear_background(const ImDrawList* list, const ImDrawCmd* command) {
-  const ImVec4 colour = ImGui::ColorConvertU32ToFloat4(list->VtxBuffer[static_cast<int>(list->CmdBuffer[1].VtxOffset)].col);
+// Inside the render pass, in the place of the rectangle; its data is a Background.
+void clear_background(const ImDrawList*, const ImDrawCmd* command) {
+  const Background& background = *static_cast<const Background*>(command->UserCallbackData);
+  const ImVec4 colour = ImGui::ColorConvertU32ToFloat4(background.colour);
   VkClearAttachment clear = {VK_IMAGE_ASPECT_COLOR_BIT, 0, {}};
   clear.clearValue.color = {{colour.x, colour.y, colour.z, colour.w}};
-  const ImVec4& area = command->ClipRect;
-  VkClearRect rect = {};
-  rect.rect.offset = {static_cast<int32_t>(area.x), static_cast<int32_t>(area.y)};
-  rect.rect.extent = {static_cast<uint32_t>(area.z - area.x), static_cast<uint32_t>(area.w - area.y)};
-  rect.layerCount = 1;
+  const VkClearRect rect = {background.area, 0, 1};
   vkCmdClearAttachments(static_cast<VkCommandBuffer>(ImGui::GetIO().UserData), 1, &clear, 1, &rect);
 }
 
-// Blending a window's whole background is most of what an interface costs on a CPU; clearing it costs little anywhere.
-void clear_backgrounds(ImDrawData& data) {
+// Blending a window's whole background is most of what an interface costs on a CPU; clearing it costs little anywhere. What is returned must
+// last until the lists have been drawn.
+std::deque<Background> clear_backgrounds(ImDrawData& data, uvec2 target) {
+  std::deque<Background> cleared;
   for (int i = 0; i < data.CmdListsCount; ++i) {
     ImDrawList& list = *data.CmdLists[i];
-    const auto background = background_of(list);
+    const auto background = background_of(list, data, target);
     if (!background) continue;
-    const ImVec2 screen = data.DisplaySize;
     ImDrawCmd clear;
     clear.UserCallback = clear_background;
-    clear.ClipRect = {std::clamp(std::ceil(background->min.x), 0.0f, screen.x), std::clamp(std::ceil(background->min.y), 0.0f, screen.y),
-                      std::clamp(std::floor(background->max.x), 0.0f, screen.x), std::clamp(std::floor(background->max.y), 0.0f, screen.y)};
+    clear.UserCallbackData = &cleared.emplace_back(*background);
     list.CmdBuffer[0].IdxOffset += 6;
     list.CmdBuffer[0].ElemCount -= 6;
     list.CmdBuffer.push_front(clear);
   }
+  return cleared;
 }
 
 }  // namespace
@@ -169,7 +178,7 @@ void Interface::draw(VkCommandBuffer commands, VkFramebuffer framebuffer, uvec2 
   begin.renderArea.extent = {size.x, size.y};
   ImGui::GetIO().UserData = commands;  // for callbacks that draw by themselves
   vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
-  clear_backgrounds(*ImGui::GetDrawData());
+  const auto cleared = clear_backgrounds(*ImGui::GetDrawData(), size);
   ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
   vkCmdEndRenderPass(commands);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/viewer/render_scale.h"
+
 namespace gnomon::viewer {
 
 Pace::Draws Pace::next(bool changed, bool may_shrink, bool may_stay, Clock::time_point now) {
@@ -15,18 +17,21 @@ Pace::Draws Pace::next(bool changed, bool may_shrink, bool may_stay, Clock::time
   return last_;
 }
 
-void Pace::add_frame(float ms, float target_ms) {
+void Pace::done(float ms, float target_ms) {
+  last_ = Draws::nothing;
+  if (ms < target_ms) slow_ = false;
+}
+
+void Pace::add_frame(float ms, float target_ms, bool exhausted) {
   if (target_ms != target_ms_) forget();
   target_ms_ = target_ms;
-  if (last_ == Draws::nothing) return;
-  over_ = ms > k_tolerance * target_ms ? over_ + 1 : 0;
+  if (last_ == Draws::nothing || refused_) return;
+  if (last_ == Draws::full && slow_) return;  // somebody looks at it
+  over_ = exhausted && ms > RenderScale::k_tolerance * target_ms ? over_ + 1 : 0;
   if (over_ < k_frames) return;
   over_ = 0;
-  if (!slow_) {
-    slow_ = true;
-  } else if (last_ == Draws::small_maps) {
-    divisor_ = std::min(2 * divisor_, k_last_divisor);
-  }
+  if (slow_) divisor_ = std::min(2 * divisor_, k_last_divisor);
+  slow_ = true;
 }
 
 }  // namespace gnomon::viewer

@@ -20,12 +20,14 @@ class Pace {
   void draw_again() { last_ = Draws::full; }
   // Whether it is the picture that is to stay: as nothing hurries it, input may end it.
   bool draws_once() const { return slow_ && current_ && last_ == Draws::full; }
-  void done() { last_ = Draws::nothing; }
+  void done(float ms, float target_ms);  // it took so long
   void give_up() { last_ = Draws::nothing, current_ = false; }
   // Whether the window shows a picture with maps in full size.
   bool shows_full() const { return current_ || last_ == Draws::full; }
-  // How long it took, from input to picture.
-  void add_frame(float ms, float target_ms);
+  // How long a frame took that had the device to itself, from input to picture. `exhausted`: another size of the picture would not help.
+  void add_frame(float ms, float target_ms, bool exhausted);
+  // Smaller maps cannot be had: until the next forget, no view is slow.
+  void refuse() { slow_ = false, refused_ = true; }
   // What was measured belongs to other settings.
   void forget() { *this = Pace(); }
 
@@ -36,11 +38,10 @@ class Pace {
 
  private:
   static constexpr std::chrono::milliseconds k_rest{200};
-  static constexpr float k_tolerance = 1.25f;  // of the target: the picture's size is chosen in steps
   static constexpr int k_frames = 4;           // that agree: one slow frame may be somebody else's doing
   static constexpr uint32_t k_first_divisor = 4, k_last_divisor = 8;
 
-  bool slow_ = false;
+  bool slow_ = false, refused_ = false;
   bool current_ = false;  // the last full picture is of what is shown
   Draws last_ = Draws::full;
   float target_ms_ = 0.0f;

@@ -19,6 +19,9 @@ class RenderScale {
   float scale() const { return scale_of(step_); }
   void set_target(float ms) { target_ms_ = ms; }
   void set_least(float scale) { step_ = std::max(step_, least_ = step_of(scale)); }
+  // Whether another size would not help: it is the least, or what no size changes takes too long by itself.
+  bool exhausted() const { return skip_ == 0 && (step_ == least_ || budget_ms() > k_tolerance * target_ms_); }
+  static constexpr float k_tolerance = 1.25f;  // of the target: sizes come in steps
   // Of a whole frame at this scale, from input to picture.
   void add_frame(float ms);
   // What was measured belongs to other settings.

@@ -52,6 +52,7 @@ class Sides {
   void forget() { techniques_.clear(), second_key_.clear(), score_ = {}, reference_.reset(); }
   bool second_settings() const { return choice_.second == SecondSide::settings; }
   bool compares() const { return choice_.second != SecondSide::none || choice_.error; }
+  bool has_reference() const { return wants_reference() && reference_ && reference_->under_way(); }
   bool wants_reference() const { return choice_.second == SecondSide::reference || choice_.error || choice_.scores; }
   bool waits_for_reference() const { return wants_reference() && !(reference_ && reference_->complete()); }
 

@@ -53,7 +53,7 @@ void ViewReference::start(Session& session) {
 }
 
 void ViewReference::forget_other_view(Session& session) {
-  if (answer_ && reference_key(session) != key_) give_up();
+  if ((answer_ || started_) && reference_key(session) != key_) give_up();
 }
 
 bool ViewReference::update(Session& session) {

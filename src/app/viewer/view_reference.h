@@ -23,6 +23,7 @@ class ViewReference {
   // Of the view as update or forget_other_view last saw it.
   const ProgressiveReference::Answer* answer() const { return answer_ ? &*answer_ : nullptr; }
   const ErrorView& error_view() const { return error_view_; }
+  bool under_way() const { return started_ || answer_; }
   bool complete() const { return answer_ && answer_->complete; }
   double share() const { return started_ ? tracer_.share() : 0.0; }
   int samples() const { return samples_; }  // of the complete answer

@@ -90,6 +90,7 @@ std::optional<Opened> Viewer::run() {
     const bool visible = size.x > 0 && size.y > 0;
     window_.poll(!visible);
     follow_drops();
+    if (next_) break;
     outputs_.update();
     if (!visible) continue;
     if (outputs_.measuring()) std::this_thread::sleep_for(k_measuring_interval);
@@ -134,6 +135,9 @@ void Viewer::draw() {
   const bool says_what_is_built = building_.has_value();
   ViewState next = building_.value_or(state_);
   interface_.begin_frame();
+  // A click may ask for the surface below it.
+  const bool asks = ImGui::IsMouseClicked(0) || ImGui::IsMouseReleased(0) || window_.pressed(GLFW_KEY_O);
+  if (asks && !std::exchange(surface_is_whole_, true)) session_->draw_surface();
   handle_keys();
   explain_.handle_keys(window_);
   state_panels_.before_panels(next, camera_, *session_, window_, static_cast<double>(seconds), message_);
@@ -225,6 +229,7 @@ void Viewer::record() {
 
 void Viewer::record_picture(Recorder& recorder) {
   session_->record_frame(recorder, (draws_small_maps() ? small_ : techniques_).techniques());
+  surface_is_whole_ = true;
   explain_.record(recorder, *session_, techniques_);
   sides_.record_error(recorder, session_->frame());
   screen_.canvas.record_picture(recorder, session_->frame(), 0);
@@ -234,15 +239,18 @@ void Viewer::record_picture(Recorder& recorder) {
 void Viewer::draw_once() {
   if (!patient_) {
     patient_ = std::make_unique<Recorder>(device_, TimingMode::play, true);
-    patient_->give_up_when([this] { return window_.has_input(); });
+    patient_->give_up_when([this] { return interrupted() || window_.has_input(); });
   }
+  const auto start = std::chrono::steady_clock::now();
   try {
     patient_->begin();
     record_picture(*patient_);
     patient_->finish();
-    pace_.done();
+    const std::chrono::duration<float, std::milli> took = std::chrono::steady_clock::now() - start;
+    pace_.done(took.count(), wishes_.target_ms);
   } catch (const GivenUp&) {
     pace_.give_up();
+    surface_is_whole_ = false;
   }
 }
 
@@ -253,26 +261,23 @@ void Viewer::choose_draws() {
   const bool taken = wishes_.screenshot || outputs_.wants_frame() || !options_.screenshot.empty();
   const bool measured = measure_.open() || wishes_.separate_passes;
   const bool compared = sides_.second_settings() || explain_.reads_frame();
-  const bool may_shrink = wishes_.adapt_size && !taken && !measured && !compared && !techniques_.has_history();
-  pace_.next(changed, may_shrink, may_shrink && !sides_.wants_reference(), last_frame_);
+  may_shrink_ = wishes_.adapt_size && !taken && !measured && !compared && !techniques_.has_history();
+  pace_.next(changed, may_shrink_, may_shrink_ && !sides_.wants_reference(), last_frame_);
 }
 
 void Viewer::follow_pace(float work_ms, bool size_is_free) {
-  const bool was_slow = pace_.slow();
-  const uint32_t divisor = pace_.divisor();
-  wishes_.adapt_size ? pace_.add_frame(work_ms, wishes_.target_ms) : pace_.forget();
-  if (was_slow != pace_.slow()) {
-    render_scale_.forget();
-    render_scale_.set_least(pace_.slow() ? RenderScale::k_least_moving : RenderScale::k_least);
-  }
-  if (!pace_.slow()) {
+  // What others do on the device at the same time is not the view's.
+  const bool alone = size_is_free && !outputs_.measuring() && !sides_.wants_reference();
+  if (!wishes_.adapt_size) pace_.forget();
+  if (may_shrink_ && alone) pace_.add_frame(work_ms, wishes_.target_ms, render_scale_.exhausted());
+  if (std::exchange(was_slow_, pace_.slow()) != pace_.slow()) render_scale_.forget();
+  render_scale_.set_least(draws_small_maps() ? RenderScale::k_least_moving : RenderScale::k_least);
+  const uint32_t divisor = pace_.slow() ? pace_.divisor() : 0;
+  if (std::exchange(small_divisor_, divisor) != divisor) {
     small_.clear();
-  } else if (!was_slow || divisor != pace_.divisor()) {
-    if (!attempt(message_, [&] { small_.update(*session_, state_.techniques, pace_.divisor()); })) pace_.forget();
+    if (divisor > 0 && !attempt(message_, [&] { small_.update(*session_, state_.techniques, divisor); })) pace_.refuse(), small_.clear();
   }
-  // Of a slow view, it is the frames while something changes that must be fast.
-  const bool counts = !pace_.slow() || draws_small_maps();
-  if (size_is_free && counts) render_scale_.add_frame(work_ms);
+  if (size_is_free && pace_.last() != Pace::Draws::nothing) render_scale_.add_frame(work_ms);
 }
 
 // What leaves the window: pictures, clips, the clipboard, the status file.
@@ -342,8 +347,9 @@ void Viewer::apply(const ViewState& wanted, const Settings& settings) {
 
 uvec2 Viewer::wanted_size() const {
   if (!wishes_.adapt_size) return scaled(window_.size(), wishes_.scale);
-  // Of a slow view the picture at rest is drawn once: it may take longer.
-  const bool stays = pace_.slow() && !draws_small_maps();
+  // Of a slow view the picture at rest, or one that is saved, is drawn once: it may take longer.
+  const bool saved = pace_.slow() && (wishes_.screenshot || outputs_.wants_frame());
+  const bool stays = saved || pace_.draws_once() || pace_.last() == Pace::Draws::nothing;
   return scaled(window_.size(), stays ? std::max(render_scale_.scale(), k_rest_scale) : render_scale_.scale());
 }
 
@@ -356,18 +362,21 @@ bool Viewer::follow_size() {
   if (window != last_window_) last_window_ = window, window_changed_ = now;
   const uvec2 wanted = wanted_size();
   if (wanted == session_->options().size || wanted == refused_size_ || now - window_changed_ < k_size_settles) return false;
-  if (outputs_.recording()) return false;
+  // A reference that is there, or under way, is for this size; only a view that moves gives it up.
+  if (outputs_.recording() || (wishes_.adapt_size && window == sized_for_ && sides_.has_reference())) return false;
   refused_size_ = wanted;  // unless it goes well: the old size is then stretched to the window
-  return attempt(message_, [&] {
+  attempt(message_, [&] {
     session_->resize(wanted);
     state_.view.size = wanted;
     refused_size_.reset();
+    sized_for_ = window;
     timings_.change();
     if (!state_.view.camera.empty() && state_.view.camera != "frame") return;
     // A camera that holds the whole scene in the picture stands elsewhere in a picture of another shape, as it does for `render`.
     session_->change(state_.view, state_.settings());
     camera_.stand_at(session_->camera());
   });
+  return session_->options().size == wanted;
 }
 
 std::string Viewer::command() const { return state_.command(session_->options().size); }

@@ -84,6 +84,9 @@ class Viewer {
   TechniqueSet techniques_;
   TechniqueSet small_;  // the same with smaller maps, where the view is slow
   Pace pace_;
+  bool may_shrink_ = false, was_slow_ = false;
+  uint32_t small_divisor_ = 0;  // of small_; 0: there is none
+  bool surface_is_whole_ = true;  // the frame's; not where drawing was given up
   std::optional<ViewState> drawn_;  // in the last frame
   SharedReference rays_;
   Interface& interface_;
@@ -105,7 +108,7 @@ class Viewer {
   std::optional<Opened> next_;
   ScenePanel scene_panel_;
   RenderScale render_scale_;
-  uvec2 last_window_ = uvec2(0);
+  uvec2 last_window_ = uvec2(0), sized_for_ = uvec2(0);  // windows: of the last frame, of the picture's size
   std::optional<uvec2> refused_size_;  // there was no memory for it
   std::chrono::steady_clock::time_point window_changed_;
   std::chrono::steady_clock::time_point last_frame_;

@@ -46,6 +46,11 @@ Window::Window(uvec2 size, const std::string& title) {
     if (action == GLFW_PRESS) of(window).pressed_.push_back(key);
     of(window).input_ = true;
   });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) {
+    for (int button = GLFW_MOUSE_BUTTON_LEFT; button <= GLFW_MOUSE_BUTTON_MIDDLE; ++button) {
+      if (glfwGetMouseButton(window, button) == GLFW_PRESS) of(window).input_ = true;  // a drag goes on
+    }
+  });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { of(window).input_ = true; });
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { of(window).input_ = true; });
   glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) { of(window).input_ = true; });
@@ -112,8 +117,8 @@ bool Window::has_input() {
 void Window::poll(bool wait) {
   // What has_input took is of this frame.
   if (!std::exchange(looked_ahead_, false)) pressed_.clear(), dropped_.clear();
-  input_ = false;
   wait ? glfwWaitEventsTimeout(0.1) : glfwPollEvents();
+  input_ = closing();  // what was taken now is none that comes
   const vec2 now = pointer(window_);
   motion_ = now - mouse_;
   mouse_ = now;
