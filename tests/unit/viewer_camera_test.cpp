@@ -134,6 +134,21 @@ TEST(PathRecorder, a_sun_that_moves_is_recorded_with_the_times_of_the_walk) {
   EXPECT_FALSE(sun->camera);
 }
 
+TEST(PathRecorder, a_sun_that_jumps_to_the_other_side_leaves_a_file_that_can_be_read) {
+  for (const vec3 way : {vec3(1, 0, 0), vec3(0, -1, 0), glm::normalize(vec3(0.3f, -0.8f, 0.2f))}) {
+    PathRecorder recorder;
+    Moment moment = {{{}, {0, 0, -1}}, SunState{way, vec3(1.0f), 1.0f}};
+    recorder.start(moment);
+    moment.sun->direction = -way;
+    recorder.add(1.0, moment);
+    const auto recording = recorder.stop("flip");
+    ASSERT_TRUE(recording && recording->sun);
+    const Recording read = parse_recording(recording_text(*recording), "flip.json");
+    EXPECT_NEAR(glm::dot(sun_at_time(*read.sun, 1.0).direction, -way), 1.0f, 1e-4f);
+    EXPECT_LE(sun_at_time(*read.sun, 0.5).direction.y, 1e-4f) << "not from below";
+  }
+}
+
 TEST(PathRecorder, a_sun_may_come_and_go) {
   PathRecorder recorder;
   recorder.start(at(0));

@@ -18,6 +18,16 @@ bool same(const Moment& a, const Moment& b) {
   return same(a.camera, b.camera) && suns;
 }
 
+// Between two suns that are opposite each other there is no shortest way (lab/path_file refuses such keys): it leads past the zenith.
+bool opposite(const SunState& a, const SunState& b) { return glm::dot(a.direction, b.direction) < -0.99f; }
+SunState between(const SunState& a, const SunState& b) {
+  const vec3 down(0.0f, -1.0f, 0.0f);
+  const vec3 across = down - glm::dot(down, a.direction) * a.direction;
+  SunState sun = b;
+  sun.direction = glm::length(across) > 0.01f ? glm::normalize(across) : vec3(1.0f, 0.0f, 0.0f);
+  return sun;
+}
+
 }  // namespace
 
 void PathRecorder::start(const Moment& moment) {
@@ -53,6 +63,10 @@ std::optional<Recording> PathRecorder::stop(const std::string& name) {
     camera.keys.push_back({time_s, key.moment.camera.eye, key.moment.camera.target});
     camera_moves = camera_moves || !same(key.moment.camera, first.moment.camera);
     if (!key.moment.sun) continue;
+    if (!sun.keys.empty() && opposite(sun.keys.back().state, *key.moment.sun)) {
+      const SunKey& last = sun.keys.back();
+      sun.keys.push_back({0.5 * (last.time_s + time_s), between(last.state, *key.moment.sun)});
+    }
     sun.keys.push_back({time_s, *key.moment.sun});
     sun_moves = sun_moves || !same(*key.moment.sun, *first.moment.sun);
   }
