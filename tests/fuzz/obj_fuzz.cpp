@@ -1,7 +1,5 @@
 // Any bytes as an OBJ file; what follows a line "%%mtl" is its material library. It must load into a scene that holds its
 // invariants or end in gnomon::Error.
-#include <unistd.h>
-
 #include <filesystem>
 #include <string_view>
 
@@ -9,23 +7,24 @@
 #include "base/file.h"
 #include "base/log.h"
 #include "scene/load.h"
+#include "support/temporary_folder.h"
 
 namespace {
 
 // With a picture and a place for the library: fuzz.mtl, fuzz.png.
-std::filesystem::path make_fuzz_folder() {
-  const auto folder = std::filesystem::temp_directory_path() / ("gnomon_obj_fuzz_" + std::to_string(getpid()));
-  gnomon::make_folder(folder);
-  gnomon::Image8 image(4, 4);
-  for (size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = static_cast<uint8_t>(i * 37);
-  gnomon::write_png(folder / "fuzz.png", image);
-  return folder;
-}
+struct FuzzFolder : gnomon::test::TemporaryFolder {
+  FuzzFolder() {
+    gnomon::Image8 image(4, 4);
+    for (size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = static_cast<uint8_t>(i * 37);
+    gnomon::write_png(path() / "fuzz.png", image);
+  }
+};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  static const std::filesystem::path folder = make_fuzz_folder();
+  static const FuzzFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
   gnomon::set_log_level(gnomon::LogLevel::error);
   std::string_view text(reinterpret_cast<const char*>(data), size), library;
   constexpr std::string_view k_divider = "\n%%mtl\n";

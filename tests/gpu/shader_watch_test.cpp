@@ -1,13 +1,12 @@
 // Shaders that change while the program runs, in a copy of the source tree.
 #include "lab/shader_watch.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 
 #include "base/file.h"
 #include "support/scenes.h"
+#include "support/temporary_folder.h"
 #include "support/view.h"
 
 namespace gnomon {
@@ -21,18 +20,14 @@ class ShaderWatching : public testing::Test {
  protected:
   ShaderWatching() : tree_(ShaderTree::of_this_build()) {
     const std::filesystem::path original = tree_.src();
-    tree_.root = std::filesystem::temp_directory_path() / ("gnomon_shader_watch_test_" + std::to_string(getpid()));
-    make_folder(tree_.root);
+    tree_.root = temporary_.path();
     std::filesystem::copy(original, tree_.src(), std::filesystem::copy_options::recursive);
     Scene scene = test::scene_with({test::floor_part(4.0f), test::box_part({-1, 1, -1}, {1, 2, 1})});
     scene.cameras.push_back(look_at("any", {0, 6, 6}, {0, 0, 0}, 50.0));
     scene.lights.push_back(test::make_sun({0.1f, -1.0f, 0.1f}));
     view_.emplace(std::move(scene));
   }
-  ~ShaderWatching() override {
-    set_replaced_shaders({});
-    std::filesystem::remove_all(tree_.root);
-  }
+  ~ShaderWatching() override { set_replaced_shaders({}); }
 
   std::vector<float> mask(const char* technique = "single/pcf") {
     const TechniqueSpec& spec = find_technique(technique);
@@ -63,6 +58,7 @@ class ShaderWatching : public testing::Test {
     return {};
   }
 
+  const test::TemporaryFolder temporary_;
   ShaderTree tree_;
   std::optional<test::View> view_;
 };

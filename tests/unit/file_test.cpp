@@ -2,20 +2,15 @@
 #include "base/file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "base/error.h"
+#include "support/temporary_folder.h"
 
 namespace gnomon {
 namespace {
 
 class File : public testing::Test {
  protected:
-  File() : folder_(std::filesystem::temp_directory_path() / ("gnomon_file_test_" + std::to_string(getpid()))) {
-    make_folder(folder_);
-  }
-  ~File() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path path(const char* name) const { return folder_ / name; }
 
   // The message must name the path.
@@ -30,7 +25,8 @@ class File : public testing::Test {
     }
   }
 
-  std::filesystem::path folder_;
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 TEST_F(File, WritesAndReadsBack) {

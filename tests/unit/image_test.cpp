@@ -2,13 +2,13 @@
 #include "base/image.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <functional>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "support/temporary_folder.h"
 
 namespace gnomon {
 namespace {
@@ -43,12 +43,12 @@ TEST(Image, PngRoundTripKeepsEveryByte) {
 }
 
 TEST(Image, FilesRoundTripAndNameThemselvesInErrors) {
-  const auto path = std::filesystem::temp_directory_path() / ("gnomon_image_test_" + std::to_string(getpid()) + ".png");
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "picture.png";
   write_png(path, gradient(5, 4));
   EXPECT_EQ(read_image(path).rgba, gradient(5, 4).rgba);
   write_file(path, "no picture at all");
   EXPECT_NE(message_of([&] { read_image(path); }).find(path.string()), std::string::npos);
-  std::filesystem::remove(path);
 }
 
 TEST(Image, RefusesDamage) {
@@ -83,14 +83,14 @@ TEST(Image, HeightMapsKeepTheirPrecision) {
 }
 
 TEST(Image, ExrIsWrittenWhole) {
-  const auto path = std::filesystem::temp_directory_path() / ("gnomon_image_test_" + std::to_string(getpid()) + ".exr");
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "picture.exr";
   for (int channels = 1; channels <= 4; ++channels) {
     write_exr(path, ImageF(16, 8, channels));
     const auto bytes = read_file(path);
     ASSERT_GT(bytes.size(), 4u);
     EXPECT_EQ(std::to_integer<int>(bytes[0]), 0x76);  // OpenEXR's magic number
   }
-  std::filesystem::remove(path);
   const auto nowhere = std::filesystem::path("/nonexistent/folder/a.exr");
   EXPECT_NE(message_of([&] { write_exr(nowhere, ImageF(4, 4, 1)); }).find(nowhere.string()), std::string::npos);
 }

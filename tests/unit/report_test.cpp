@@ -12,6 +12,7 @@
 #include "report/html.h"
 #include "report/pictures.h"
 #include "report/result_set.h"
+#include "support/temporary_folder.h"
 
 namespace gnomon {
 namespace {
@@ -76,13 +77,7 @@ size_t count_of(const std::string& text, const std::string& part) {
 
 class Report : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("gnomon_report_") + info->name());
-    std::filesystem::remove_all(folder_);
-    make_folder(folder_ / "images");
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  Report() { make_folder(folder_ / "images"); }
 
   void write_lines(const std::vector<json>& lines) {
     std::string text;
@@ -124,7 +119,8 @@ class Report : public testing::Test {
     return refusal();
   }
 
-  std::filesystem::path folder_;
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 TEST(TextTable, AlignsItsColumns) {

@@ -2,47 +2,27 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
-#include <atomic>
-#include <filesystem>
 #include <functional>
 #include <string>
 
 #include "base/image.h"
 #include "scene/scene.h"
+#include "support/temporary_folder.h"
 
 namespace gnomon::test_files {
 
-// A folder of its own for each test, gone afterwards.
-class Folder {
+class Folder : public test::TemporaryFolder {
  public:
-  Folder() {
-    static std::atomic<int> count = 0;
-    path_ =
-        std::filesystem::temp_directory_path() / ("gnomon_test_" + std::to_string(getpid()) + "_" + std::to_string(count++));
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
   void picture(const std::string& name, int width, int height,
                const std::function<std::array<uint8_t, 4>(int, int)>& colour) const {
     Image8 image(width, height);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) std::ranges::copy(colour(x, y), image.at(x, y));
     }
-    write_png(path_ / name, image);
+    write_png(path() / name, image);
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 inline double area(const MeshPart& part) {

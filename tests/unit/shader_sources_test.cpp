@@ -2,9 +2,9 @@
 #include "lab/shader_sources.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "base/file.h"
+#include "support/temporary_folder.h"
 
 namespace gnomon {
 namespace {
@@ -49,7 +49,8 @@ TEST(ShaderSources, KnowsWhatCppReadsToo) {
 }
 
 TEST(ShaderSources, FollowsIncludesHoweverTheyAreWritten) {
-  const std::filesystem::path src = std::filesystem::temp_directory_path() / ("gnomon_shader_sources_test_" + std::to_string(getpid()));
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path& src = temporary.path();
   make_folder(src / "a");
   write_file(src / "a/main.comp",
              "#include \"a/one.glsl\"\n  #  include   \"beside.glsl\"\n#include <system>\n// #included\n#include \"a/absent.glsl\"\n");
@@ -62,7 +63,6 @@ TEST(ShaderSources, FollowsIncludesHoweverTheyAreWritten) {
   write_file(src / "a/one.glsl", "changed\n");
   EXPECT_EQ(sources.hash("a/one.glsl"), before) << "an object sees one state of the tree";
   EXPECT_NE(ShaderSources(src).hash("a/one.glsl"), before);
-  std::filesystem::remove_all(src);
 }
 
 }  // namespace

@@ -4,20 +4,19 @@
 #include <gtest/gtest.h>
 
 #include "base/file.h"
+#include "support/temporary_folder.h"
 
 namespace gnomon::viewer {
 namespace {
 
 class RecentFilesTest : public testing::Test {
  protected:
-  RecentFilesTest() { std::filesystem::remove_all(folder_); }
-  ~RecentFilesTest() override { std::filesystem::remove_all(folder_); }
   std::string make(const std::string& name) {
-    make_folder(folder_);
     write_file(folder_ / name, std::string_view("x"));
     return (folder_ / name).string();
   }
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "gnomon_recent_files_test";
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
   std::filesystem::path list_ = folder_ / "state" / "recent";
 };
 

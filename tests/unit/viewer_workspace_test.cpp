@@ -1,7 +1,6 @@
 // What the user keeps when another scene is opened: the list to compare, cameras by scene, the second side's settings.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include "app/viewer/comparison.h"
 #include "app/viewer/scene_work.h"
 #include "base/file.h"
+#include "support/temporary_folder.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -76,13 +76,13 @@ TEST(SceneWorks, keep_cameras_by_scene) {
 }
 
 TEST(SceneWorks, know_a_file_by_any_path_to_it) {
-  const auto folder = std::filesystem::temp_directory_path() / fmt::format("gnomon_scene_work_{}", getpid());
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
   make_folder(folder / "sub");
   write_file(folder / "model.obj", "v 0 0 0\n");
   SceneWorks works;
   EXPECT_EQ(&works.of((folder / "model.obj").string()), &works.of((folder / "sub" / ".." / "model.obj").string()));
   EXPECT_NE(&works.of((folder / "model.obj").string()), &works.of((folder / "other.obj").string()));
-  std::filesystem::remove_all(folder);
 }
 
 TEST(ViewState, goes_to_another_scene_without_what_is_of_the_old_one) {
