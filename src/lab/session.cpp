@@ -167,6 +167,7 @@ SettingsMap Session::settings_of(const TechniqueSpec& spec, size_t light) const 
 
 void Session::record_frame(Recorder& recorder, std::span<const std::unique_ptr<Technique>> techniques) {
   frame_->record_surface(recorder);
+  surface_is_whole_ = true;
   for (size_t light = 0; light < techniques.size(); ++light) techniques[light]->record(recorder, *frame_, light);
   frame_->record_shade(recorder);
 }
@@ -176,6 +177,11 @@ void Session::draw_surface() {
   recorder.begin();
   frame_->record_surface(recorder);
   recorder.finish();
+  surface_is_whole_ = true;
+}
+
+void Session::complete_surface() {
+  if (!surface_is_whole_) draw_surface();
 }
 
 Image8 Session::shade() {

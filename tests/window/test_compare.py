@@ -83,6 +83,24 @@ class Compare(WindowCase):
         self.assertLess(difference(viewer.picture(), before), 0.5)
         self.close(viewer)
 
+    def test_an_overlay_lies_on_both_sides(self):
+        viewer = self.open("courtyard", *WHOLE, "--technique", "single/hard", "--split", "cascaded/hard")
+        self.hide_panels(viewer)
+        viewer.frames(6)
+        plain = viewer.picture()
+        viewer.press("v")
+        viewer.until_text("overlay", lambda text: text.startswith("layers"))
+        viewer.frames(6)
+        shown = viewer.picture()
+        viewer.press("v")
+        viewer.until_text("overlay", lambda text: text == "texel grid")
+        viewer.frames(6)
+        grid = viewer.picture()
+        for area in ((0, 0, 180 - GRIP, 200), (180 + GRIP, 0, 360, 200)):
+            self.assertGreater(difference(part(shown, *area), part(plain, *area)), 5.0)
+            self.assertGreater(difference(part(grid, *area), part(shown, *area)), 5.0)
+        self.close(viewer)
+
     def test_panel(self):
         """Scores, exchange, and a second side that is chosen there."""
         viewer = self.open("chart/slab", *WIDE, "--technique", "single/hard", "--set", "single.size=32", "--split", "ray_traced")

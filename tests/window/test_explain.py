@@ -72,17 +72,31 @@ class Explain(WindowCase):
         viewer.until_text("reason", lambda text: len(text) > 3)
         self.close(viewer)
 
-    def test_a_pick_beside_a_second_side_says_which_it_explains(self):
+    def test_both_sides_are_explained(self):
         viewer = self.viewer
         viewer.section("Compare")
         viewer.choose("second_side", "other settings")
+        viewer.click("second_as_first")
+        viewer.choose("technique", "cascaded/vsm")
+        viewer.until_command("--technique cascaded/vsm", seconds=120)
+
+        def picked(side, technique):
+            viewer.until_text("picked_side", lambda text: text == side)
+            viewer.until_text("picked_technique", lambda text: text == technique)
+            return viewer.until_text("reason", lambda text: "not yet" not in text)
         viewer.click_at(480, 420, MIDDLE)
-        viewer.until_text("picked_side", lambda text: text == "first")
+        picked("first", "cascaded/vsm")
         viewer.click_at(620, 420, MIDDLE)
-        viewer.until_text("picked_side", lambda text: text == "second")
+        reason = picked("second", "cascaded/pcf")
         viewer.press("b")
+        self.assertEqual(picked("second", "cascaded/pcf"), reason, "the second side alone")
         viewer.press("b")
-        viewer.until_text("picked_side", lambda text: text == "only")
+        picked("only", "cascaded/vsm")
+        viewer.click("exchange")
+        self.assertEqual(picked("only", "cascaded/pcf"), reason, "the same settings as the first side")
+        viewer.choose("second_side", "reference")
+        viewer.click("split")
+        picked("reference", "cascaded/pcf")
         self.close(viewer)
 
     def test_a_picture_with_an_overlay_says_that_its_command_has_none(self):

@@ -5,12 +5,12 @@ from case import WindowCase, png
 from viewer import difference, part
 
 # Nothing is fast enough for this target.
-SLOW = ["--size", "900x500", "--frame-ms", "5", "--technique", "cascaded/vsm", "--set", "cascaded.size=512"]
+SLOW = ["--frame-ms", "5", "--technique", "cascaded/vsm", "--set", "cascaded.size=512"]
 
 
 class Pace(WindowCase):
-    def slow_view(self):
-        viewer = self.open("courtyard", *SLOW)
+    def slow_view(self, size="900x500"):
+        viewer = self.open("courtyard", "--size", size, *SLOW)
         # Some frames are measured first.
         viewer.until_text("small_maps", lambda text: text == "1/4" or text == "1/8")
         return viewer
@@ -45,6 +45,22 @@ class Pace(WindowCase):
         taken = png.read(self.folder / "gnomon_0000.png")
         drawn = self.render(viewer.status()["command"], self.folder / "drawn.png")
         self.assertLess(difference(taken, drawn), 0.5)
+        self.close(viewer)
+
+    def test_a_clip_begun_while_it_moves_has_the_size_at_rest(self):
+        viewer = self.slow_view("1100x500")  # the tools are open
+        width = self.resting(viewer)["picture_size"][0]
+        viewer.section("Pictures, clips, reports")
+        viewer.desktop.key("w", True)
+        viewer.until(lambda status: status["picture_size"][0] < width, "a smaller picture")
+        viewer.click("clip")
+        viewer.frames(3)
+        viewer.click("clip")
+        viewer.desktop.key("w", False)
+        viewer.until_text("clip", lambda text: text == "stopped, 0 waiting", 60)
+        pictures = [png.read(path) for path in sorted(self.folder.glob("*/0*.png"))]
+        self.assertGreater(len(pictures), 2)
+        self.assertEqual({picture[0] for picture in pictures}, {width})
         self.close(viewer)
 
     def test_a_parameter_counts_in_the_picture_at_rest(self):

@@ -13,7 +13,7 @@ namespace {
 
 void orbit(CameraRig& rig, Session& session, bool on) {
   if (on && !rig.orbits()) {
-    if (const auto point = surface_at(session.frame(), vec2(0.5f))) rig.focus(*point);
+    if (const auto point = surface_at(session, vec2(0.5f))) rig.focus(*point);
   }
   rig.set_orbits(on);
 }
@@ -63,7 +63,7 @@ bool CameraPanel::keys(ViewState& state, CameraRig& rig, Session& session, const
 
 bool CameraPanel::focus(CameraRig& rig, Session& session) {
   const ImGuiIO& io = ImGui::GetIO();
-  const auto point = surface_at(session.frame(), vec2(io.MousePos.x, io.MousePos.y) / vec2(io.DisplaySize.x, io.DisplaySize.y));
+  const auto point = surface_at(session, vec2(io.MousePos.x, io.MousePos.y) / vec2(io.DisplaySize.x, io.DisplaySize.y));
   if (!point) return false;
   rig.focus(*point);
   return true;

@@ -59,12 +59,18 @@ uvec2 Explain::pixel(const Session& session) const {
   return glm::min(uvec2(*place_ * vec2(session.options().size)), session.options().size - 1u);
 }
 
-void Explain::show(Session& session, const TechniqueSet& techniques, float divider) {
+PickedSide Explain::picked_side() const {
+  if (divider_ >= 1.0f) return PickedSide::only;
+  if (place_->x < divider_) return PickedSide::first;
+  return second_is_explained_ ? PickedSide::second : PickedSide::reference;
+}
+
+void Explain::show(Session& session, const TechniqueSet& techniques) {
   light_ = std::min(light_, session.frame().lights().size() - 1);
   panel(session, techniques);
   if (picked_) {
     bool open = true;
-    show_pick_window(*picked_, divider >= 1.0f ? PickedSide::only : place_->x < divider ? PickedSide::first : PickedSide::second, open);
+    show_pick_window(*picked_, open);
     if (!open) place_.reset(), picked_.reset();
   }
   if (options_.map_open) map_pane_.show(techniques.techniques()[light_]->shadow_map(), options_.map_layer, options_.map_open);
@@ -166,46 +172,61 @@ std::string Explain::overlay_drawn() const {
   return overlay_drawn_ ? fmt::format("the overlay '{}'", overlay_title(options_.overlay)) : std::string();
 }
 
-void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& techniques) {
+std::string Explain::second_key(const Session& session) const {
+  std::string key = fmt::format("{} {} {}", options_.overlay, options_.opacity, light_);
+  if (picks_on(1)) key += fmt::format(" {},{}", pixel(session).x, pixel(session).y);
+  return key;
+}
+
+void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& techniques, size_t side) {
   light_ = std::min(light_, session.frame().lights().size() - 1);
   const Frame& frame = session.frame();
   const Technique& technique = *techniques.techniques()[light_];
-  check_map_layer(techniques.spec(light_), technique.shadow_map());
-  overlay_drawn_ = options_.overlay != k_overlay_none && (technique.shadow_map() || !overlay_needs_map(options_.overlay));
-  if (options_.overlay != k_overlay_none)
-    explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, options_.opacity);
-  if (place_) explainer_.record_pick(recorder, frame, light_, technique, pixel(session));
+  const auto map = technique.shadow_map();
+  if (side == 0) check_map_layer(techniques.spec(light_), map);
+  if (options_.overlay != k_overlay_none) explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, options_.opacity);
+  if (picks_on(side)) explainer_.record_pick(recorder, frame, light_, technique, pixel(session));
+  if (side != 0) return;
+  overlay_drawn_ = options_.overlay != k_overlay_none && (map || !overlay_needs_map(options_.overlay));
   if (options_.lines || overlay_needs_map(options_.overlay)) explainer_.record_views(recorder, technique);
-  map_pane_.record(recorder, technique.shadow_map(), options_.map_layer);
+  map_pane_.record(recorder, map, options_.map_layer);
 }
 
-void Explain::collect(Session& session, const TechniqueSet& techniques) {
-  views_ = explainer_.views();
-  if (!place_) return;
-  if (!reference_) reference_ = std::make_unique<PointReference>(rays_);
+void Explain::collect(Session& session, const TechniqueSet& techniques, size_t side) {
+  if (side == 0) views_ = explainer_.views();
+  if (!picks_on(side)) return;
+  const TechniqueSpec& spec = techniques.spec(light_);
   Picked picked;
   picked.pixel = pixel(session);
-  picked.technique = techniques.spec(light_).name;
+  picked.side = picked_side();
+  picked.light = light_;
+  picked.technique = spec.name;
   const PickRecord& record = picked.facts.record = explainer_.picked();
   if (const auto map = techniques.techniques()[light_]->shadow_map()) {
     picked.facts.has_map = true;
     picked.facts.compares_depth = map->filtered == map->depth;
     picked.facts.stores_objects = map->object_ids != nullptr;
     picked.facts.unsettled = map->unsettled;
-    picked.facts.front_face_culling =
-        session.settings_of(techniques.spec(light_), light_).at("bias").number("front_face_culling") != 0.0;
+    picked.facts.front_face_culling = session.settings_of(spec, light_).at("bias").number("front_face_culling") != 0.0;
   }
-  if (record.seen != 0) {
-    picked.object = session.scene().objects[record.object].name;
-    const SurfacePoint point = {record.position_ws, record.object, record.normal_ws,
-                                picked.pixel.y * session.options().size.x + picked.pixel.x};
-    if (const auto answer = reference_->answer(point, session.frame().camera().eye_ws, session.frame().lights()[light_])) {
-      picked.facts.hard = answer->hard;
-      picked.facts.area = answer->area;
+  if (record.seen != 0) picked.object = session.scene().objects[record.object].name;
+  picked_ = std::move(picked);
+}
+
+void Explain::judge(Session& session) {
+  if (!place_ || !picked_) return;
+  PickFacts& facts = picked_->facts;
+  const auto lights = session.frame().lights();
+  if (facts.record.seen != 0 && picked_->light < lights.size()) {
+    if (!reference_) reference_ = std::make_unique<PointReference>(rays_);
+    const uint32_t index = picked_->pixel.y * session.options().size.x + picked_->pixel.x;
+    const SurfacePoint point = {facts.record.position_ws, facts.record.object, facts.record.normal_ws, index};
+    if (const auto answer = reference_->answer(point, session.frame().camera().eye_ws, lights[picked_->light])) {
+      facts.hard = answer->hard;
+      facts.area = answer->area;
     }
   }
-  picked.reason = reason_of(picked.facts);
-  picked_ = std::move(picked);
+  picked_->reason = reason_of(facts);
 }
 
 }  // namespace gnomon::viewer

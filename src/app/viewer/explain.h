@@ -38,14 +38,21 @@ class Explain {
 
   // Once a frame, whether panels are shown or not.
   void handle_keys(const Window& window);
-  // Panel and windows, while the interface's frame is written. `divider`: share of the window's width that shows `techniques`.
-  void show(Session& session, const TechniqueSet& techniques, float divider);
+  // Panel and windows, while the interface's frame is written.
+  void show(Session& session, const TechniqueSet& techniques);
   // Crosshair and lines, which stay when the panels are hidden.
   void show_marks(Session& session);
-  // Behind Session::record_frame.
-  void record(Recorder& recorder, Session& session, const TechniqueSet& techniques);
-  // Once the recorder has finished.
-  void collect(Session& session, const TechniqueSet& techniques);
+  // Before a frame is recorded. `divider`: share of the window's width that shows the first side; `explained`: whether a technique draws the
+  // rest, which is then explained, too.
+  void set_sides(float divider, bool explained) { divider_ = divider, second_is_explained_ = explained; }
+  // Behind Session::record_frame of side 0 or 1: overlays on both, a pick on the side that shows it, lines and map of the first.
+  void record(Recorder& recorder, Session& session, const TechniqueSet& techniques, size_t side);
+  // Once the recorder has finished, while the session still shows that side.
+  void collect(Session& session, const TechniqueSet& techniques, size_t side);
+  // What is said of the pick, in each frame: the reference's answer may come later.
+  void judge(Session& session);
+  // The second side's picture is out of date where this changes.
+  std::string second_key(const Session& session) const;
   bool reads_frame() const { return place_ || options_.map_open || options_.lines || options_.overlay != k_overlay_none; }
   // What the overlay is called; empty where none lies over the picture.
   std::string overlay_drawn() const;
@@ -62,6 +69,8 @@ class Explain {
   void check_map_layer(const TechniqueSpec& spec, const std::optional<ShadowMapView>& map);
   void panel(Session& session, const TechniqueSet& techniques);
   uvec2 pixel(const Session& session) const;
+  PickedSide picked_side() const;
+  bool picks_on(size_t side) const { return place_ && (picked_side() == PickedSide::second) == (side == 1); }
 
   SharedReference& rays_;
   Explainer explainer_;
@@ -69,6 +78,8 @@ class Explain {
   ExplainOptions& options_;
   bool overlay_drawn_ = false;
   size_t light_ = 0;
+  float divider_ = 1.0f;
+  bool second_is_explained_ = false;
   bool pick_mode_ = false;
   std::optional<vec2> place_;  // picked, as a share of the picture: it stays where it is when the picture's size changes
   std::optional<Picked> picked_;

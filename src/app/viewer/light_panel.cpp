@@ -37,7 +37,7 @@ bool length(const char* label, float& metres, float max, float scale_m, const ch
 ListedLight new_light(LightKind kind, Session& session) {
   const CameraData& camera = session.frame().camera();
   const float usual_m = 0.3f * std::max(session.scene().bounds().radius(), 1e-3f);
-  const vec3 target = surface_at(session.frame(), vec2(0.5f)).value_or(camera.eye_ws + usual_m * camera.forward_ws);
+  const vec3 target = surface_at(session, vec2(0.5f)).value_or(camera.eye_ws + usual_m * camera.forward_ws);
   return usual_light(kind, target, std::max(glm::length(target - camera.eye_ws), 0.01f * usual_m));
 }
 

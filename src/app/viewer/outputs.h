@@ -27,8 +27,8 @@ class Outputs {
   bool measuring() const { return comparison_.busy(); }
   // A picture of the coming frame is wanted.
   bool wants_frame() const { return !wanted_.empty() || clip_.running(); }
-  // A clip is being taken: its pictures must be of one size.
-  bool recording() const { return clip_.running(); }
+  // A clip has begun: its pictures must be of one size.
+  bool recording() const { return clip_.running() && clip_.count() > 0; }
   void stop_clip() { clip_.stop(); }
   // What failed, until it is closed.
   std::string& message() { return message_; }

@@ -101,6 +101,24 @@ void show_layer(const PickFacts& facts, const PickedLayer& layer) {
   kernel_picture(layer, record.radius);
 }
 
+struct SideText {
+  const char* name;   // in the status file
+  const char* title;  // of whom the window speaks
+};
+
+SideText side_text(PickedSide side) {
+  switch (side) {
+    case PickedSide::first:
+      return {"first", " (first side)"};
+    case PickedSide::second:
+      return {"second", " (second side)"};
+    case PickedSide::reference:
+      return {"reference", " (first side)"};
+    default:
+      return {"only", ""};
+  }
+}
+
 vec3 reason_colour(const PickFacts& facts, Cause cause) {
   if (cause == Cause::sky || cause == Cause::no_receiver) return vec3(0.7f);
   if (cause == Cause::none) return facts.hard ? vec3(0.5f, 0.9f, 0.5f) : vec3(0.85f);
@@ -109,17 +127,17 @@ vec3 reason_colour(const PickFacts& facts, Cause cause) {
 
 }  // namespace
 
-void show_pick_window(const Picked& picked, PickedSide side, bool& open) {
+void show_pick_window(const Picked& picked, bool& open) {
   const PickFacts& facts = picked.facts;
   const PickRecord& record = facts.record;
   appear_at(places_on_screen().pick);
   // The part behind ### is the window's identity, whatever pixel it shows.
-  const char* whose = side == PickedSide::only ? "" : " (first side)";
-  if (ImGui::Begin(fmt::format("pixel {}, {}: {}{}###pick", picked.pixel.x, picked.pixel.y, picked.technique, whose).c_str(), &open)) {
-    note_text("picked_side", side == PickedSide::only ? "only" : side == PickedSide::first ? "first" : "second");
-    if (side == PickedSide::second) {
-      ImGui::TextColored({1.0f, 0.85f, 0.4f, 1.0f}, "The second side is shown here; this explains the first.");
-      remark("Settings of the second side: 'exchange' (Compare) makes them the first.");
+  const SideText text = side_text(picked.side);
+  if (ImGui::Begin(fmt::format("pixel {}, {}: {}{}###pick", picked.pixel.x, picked.pixel.y, picked.technique, text.title).c_str(), &open)) {
+    note_text("picked_side", text.name);
+    note_text("picked_technique", picked.technique);
+    if (picked.side == PickedSide::reference) {
+      ImGui::TextColored({1.0f, 0.85f, 0.4f, 1.0f}, "The reference is shown here; this explains the first side.");
     }
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(reason_colour(facts, picked.reason.cause)));
     ImGui::TextWrapped("%s", picked.reason.text.c_str());

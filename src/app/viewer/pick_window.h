@@ -10,19 +10,21 @@
 
 namespace gnomon::viewer {
 
+// Whose picture the pixel shows, where two sides are beside each other. Where that is the reference, the first side is explained.
+enum class PickedSide { only, first, second, reference };
+
 // What is known of the picked pixel in the last frame.
 struct Picked {
   uvec2 pixel = uvec2(0);
+  PickedSide side = PickedSide::only;
+  size_t light = 0;  // of the frame
   PickFacts facts;
   Reason reason;
   std::string object;  // name
   std::string technique;
 };
 
-// Whose picture the pixel shows, where two sides are beside each other. The first is what is explained.
-enum class PickedSide { only, first, second };
-
 // `open` is set to false when the user closes it.
-void show_pick_window(const Picked& picked, PickedSide side, bool& open);
+void show_pick_window(const Picked& picked, bool& open);
 
 }  // namespace gnomon::viewer

@@ -54,7 +54,7 @@ ViewState Sides::second_state(const ViewState& first) const {
   return state;
 }
 
-void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
+void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain) {
   // Camera, lights or size may be others since the last frame: neither picture nor score may read the old answer.
   if (reference_) reference_->forget_other_view(session);
   if (choice_.second == SecondSide::none) return techniques_.clear(), score_[1].reset();
@@ -64,14 +64,14 @@ void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& s
   names_[0] = name_of_side(state.techniques);
   if (choice_.second == SecondSide::settings) {
     names_[1] = name_of_side(choice_.other.techniques);
-    return draw_settings(recorder, session, state, canvas);
+    return draw_settings(recorder, session, state, canvas, explain);
   }
   techniques_.clear(), score_[1].reset();
   names_[1] = reference_ && reference_->answer() ? "reference" : "reference: waits for a still view";
   draw_reference(recorder, session, canvas);
 }
 
-void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas) {
+void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain) {
   if (!first_.same_picture(state) || !made_of_.same_picture(choice_.other)) {
     first_ = state, made_of_ = choice_.other;
     ViewState second = second_state(state);
@@ -79,6 +79,8 @@ void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState&
   }
   std::vector<std::byte> key = view_key(session.frame());
   append(key, std::as_bytes(std::span(&choice_.error, 1)));
+  const std::string explained = explain.second_key(session);
+  append(key, std::as_bytes(std::span(explained)));
   if (key != second_key_) settling_ = k_settling_frames;
   second_key_ = std::move(key);
   if (settling_ == 0) return;
@@ -89,9 +91,11 @@ void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState&
     if (!techniques_.has_history()) --settling_;
     recorder.frame([&] {
       session.record_frame(recorder, techniques_.techniques());
+      explain.record(recorder, session, techniques_, 1);
       record_error(recorder, session.frame());
       canvas.record_picture(recorder, session.frame(), 1);
     });
+    explain.collect(session, techniques_, 1);
     score_[1] = score(session);
     back_to_first();
   } catch (const Error&) {

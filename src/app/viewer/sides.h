@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/viewer/canvas.h"
+#include "app/viewer/explain.h"
 #include "app/viewer/technique_set.h"
 #include "app/viewer/view_reference.h"
 #include "app/viewer/view_state.h"
@@ -32,9 +33,9 @@ class Sides {
   void show(ViewState& state, const Session& session, size_t light);
   void show_divider();  // and the names of the sides, over the picture
 
-  // The second side's picture, where it is out of date; the session then shows `state` again. Throws Error where the second side's settings
-  // cannot be shown: there is then no second side.
-  void draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas);
+  // The second side's picture with what `explain` says of it, where it is out of date; the session then shows `state` again. Throws Error
+  // where the second side's settings cannot be shown: there is then no second side.
+  void draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain);
   // Behind the first side's shading.
   void record_error(Recorder& recorder, const Frame& frame) const;
   // Behind each frame: traces on, and computes the scores of what the frame's mask holds now. Throws Error.
@@ -63,7 +64,7 @@ class Sides {
   };
 
   ViewState second_state(const ViewState& first) const;
-  void draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas);
+  void draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain);
   void draw_reference(Recorder& recorder, Session& session, Canvas& canvas);
   std::optional<Score> score(Session& session) const;
   void show_reference() const;

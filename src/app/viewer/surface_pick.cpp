@@ -4,7 +4,9 @@
 
 namespace gnomon::viewer {
 
-std::optional<vec3> surface_at(const Frame& frame, vec2 part) {
+std::optional<vec3> surface_at(Session& session, vec2 part) {
+  session.complete_surface();
+  const Frame& frame = session.frame();
   const uvec2 size = frame.size(), pixel = glm::min(uvec2(glm::max(part, vec2(0.0f)) * vec2(size)), size - 1u);
   const auto points = frame.read_points();
   const auto found = std::find_if(points.begin(), points.end(), [&](const SurfacePoint& point) {

@@ -135,9 +135,6 @@ void Viewer::draw() {
   const bool says_what_is_built = building_.has_value();
   ViewState next = building_.value_or(state_);
   interface_.begin_frame();
-  // A click may ask for the surface below it.
-  const bool asks = ImGui::IsMouseClicked(0) || ImGui::IsMouseReleased(0) || window_.pressed(GLFW_KEY_O);
-  if (asks && !std::exchange(surface_is_whole_, true)) session_->draw_surface();
   handle_keys();
   explain_.handle_keys(window_);
   state_panels_.before_panels(next, camera_, *session_, window_, static_cast<double>(seconds), message_);
@@ -181,7 +178,7 @@ void Viewer::show_interface(ViewState& next) {
     panels_.show(next, wishes_, *session_, techniques_);
     if (begin_section("Compare", sides_.compares())) sides_.show(next, *session_, panels_.light());
     end_section();
-    explain_.show(*session_, techniques_, sides_.divider());
+    explain_.show(*session_, techniques_);
     measure_.show(timings_, wishes_.separate_passes, *session_, techniques_);
     outputs_.show(next, *session_);
     state_panels_.show(next, camera_, *session_, message_);
@@ -215,6 +212,7 @@ void Viewer::record() {
     recorder_ = std::make_unique<Recorder>(device_, recorder_separates_ ? TimingMode::measure : TimingMode::play, alone);
     timings_.clear();
   }
+  explain_.set_sides(sides_.divider(), sides_.second_settings());
   draw_second();
   if (pace_.draws_once()) draw_once();
   const bool draws = pace_.last() != Pace::Draws::nothing;
@@ -224,13 +222,15 @@ void Viewer::record() {
   const FrameResult result = recorder_->finish();
   // The time of another frame is not that of its techniques.
   if (draws && !draws_small_maps()) timings_.add(result);
-  attempt(message_, [&] { explain_.collect(*session_, techniques_); });
+  attempt(message_, [&] {
+    explain_.collect(*session_, techniques_, 0);
+    explain_.judge(*session_);
+  });
 }
 
 void Viewer::record_picture(Recorder& recorder) {
   session_->record_frame(recorder, (draws_small_maps() ? small_ : techniques_).techniques());
-  surface_is_whole_ = true;
-  explain_.record(recorder, *session_, techniques_);
+  explain_.record(recorder, *session_, techniques_, 0);
   sides_.record_error(recorder, session_->frame());
   screen_.canvas.record_picture(recorder, session_->frame(), 0);
 }
@@ -250,7 +250,7 @@ void Viewer::draw_once() {
     pace_.done(took.count(), wishes_.target_ms);
   } catch (const GivenUp&) {
     pace_.give_up();
-    surface_is_whole_ = false;
+    session_->frame_is_given_up();
   }
 }
 
@@ -291,7 +291,7 @@ void Viewer::hand_out() {
 }
 
 void Viewer::draw_second() {
-  attempt(message_, [&] { sides_.draw_second(*recorder_, *session_, state_, screen_.canvas); });
+  attempt(message_, [&] { sides_.draw_second(*recorder_, *session_, state_, screen_.canvas, explain_); });
 }
 
 // Changes count in this frame, unless something must be built for them: then the next frame says so, and they count behind it.
@@ -331,9 +331,8 @@ void Viewer::apply(const ViewState& wanted, const Settings& settings) {
   };
   const bool done = attempt(message_, [&] {
     change(next, settings);
-    techniques_.update(*session_, next.techniques);
     if (next.techniques != state_.techniques) timings_.clear(), render_scale_.forget(), pace_.forget(), small_.clear();
-    if (pace_.slow()) small_.update(*session_, next.techniques, pace_.divisor());
+    update_techniques(next.techniques);
     const bool other_settings = next.edits != state_.edits || next.base.assignments() != state_.base.assignments();
     if (other_settings || next.view.samples != state_.view.samples) timings_.change();
     state_ = next;
@@ -341,8 +340,12 @@ void Viewer::apply(const ViewState& wanted, const Settings& settings) {
   });
   if (done) return;
   change(state_, state_.settings());
-  techniques_.update(*session_, state_.techniques);
-  if (pace_.slow()) small_.update(*session_, state_.techniques, pace_.divisor());
+  update_techniques(state_.techniques);
+}
+
+void Viewer::update_techniques(const std::vector<std::string>& names) {
+  techniques_.update(*session_, names);
+  if (pace_.slow()) small_.update(*session_, names, pace_.divisor());
 }
 
 uvec2 Viewer::wanted_size() const {

@@ -64,6 +64,7 @@ class Viewer {
   std::optional<Settings> parsed(const ViewState& state);  // nullopt: the message says what is wrong
   bool builds(const ViewState& next, const Settings& settings) const;
   void apply(const ViewState& wanted, const Settings& settings);
+  void update_techniques(const std::vector<std::string>& names);  // and those with smaller maps where the view is slow
   uvec2 wanted_size() const;
   std::string command() const;  // `gnomon render ...` of the picture, without its output
   bool follow_size();  // whether the picture has another size
@@ -86,7 +87,6 @@ class Viewer {
   Pace pace_;
   bool may_shrink_ = false, was_slow_ = false;
   uint32_t small_divisor_ = 0;  // of small_; 0: there is none
-  bool surface_is_whole_ = true;  // the frame's; not where drawing was given up
   std::optional<ViewState> drawn_;  // in the last frame
   SharedReference rays_;
   Interface& interface_;
