@@ -123,18 +123,17 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
     }
     if (options_.overlay != k_overlay_none) {
       ImGui::SliderFloat("opacity", &options_.opacity, 0.0f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
-      if (overlay_needs_map(options_.overlay) && !has_map) {
-        remark("this technique has no map");
-      } else {
-        show_legend(options_.overlay, views_);
-      }
+      const auto second = second_is_explained_ ? std::span<const ShadowView>(views_[1]) : std::span<const ShadowView>();
+      const bool needs_map = overlay_needs_map(options_.overlay);
+      if (needs_map && !has_map) remark(second_is_explained_ ? "the first side has no map" : "this technique has no map");
+      if (!needs_map || has_map || !second.empty()) show_legend(options_.overlay, views_[0], second);
     }
     ImGui::Checkbox("light's views (L)", &options_.lines);
     note_widget("lines");
     bool hold = held_.has_value();
     if (options_.lines && (ImGui::SameLine(), ImGui::Checkbox("hold them", &hold))) {
       held_.reset();
-      if (hold) held_ = Held{views_, session.frame().camera()};
+      if (hold) held_ = Held{views_[0], session.frame().camera()};
     }
     ImGui::Checkbox("map (M)", &options_.map_open);
     note_widget("map");
@@ -155,7 +154,7 @@ void Explain::show_marks(Session& session) {
   if (place_) crosshair(*place_ * screen_size());
   if (!options_.lines) return;
   const CameraData* cut = held_ ? &held_->camera : nullptr;
-  draw_light_lines(*ImGui::GetBackgroundDrawList(), session.frame().camera(), screen_size(), held_ ? held_->views : views_, cut,
+  draw_light_lines(*ImGui::GetBackgroundDrawList(), session.frame().camera(), screen_size(), held_ ? held_->views : views_[0], cut,
                    session.scene().bounds().radius());
 }
 
@@ -186,14 +185,14 @@ void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& t
   if (side == 0) check_map_layer(techniques.spec(light_), map);
   if (options_.overlay != k_overlay_none) explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, options_.opacity);
   if (picks_on(side)) explainer_.record_pick(recorder, frame, light_, technique, pixel(session));
+  if ((side == 0 && options_.lines) || overlay_needs_map(options_.overlay)) explainer_.record_views(recorder, technique);
   if (side != 0) return;
   overlay_drawn_ = options_.overlay != k_overlay_none && (map || !overlay_needs_map(options_.overlay));
-  if (options_.lines || overlay_needs_map(options_.overlay)) explainer_.record_views(recorder, technique);
   map_pane_.record(recorder, map, options_.map_layer);
 }
 
 void Explain::collect(Session& session, const TechniqueSet& techniques, size_t side) {
-  if (side == 0) views_ = explainer_.views();
+  views_[side] = explainer_.views();
   if (!picks_on(side)) return;
   const TechniqueSpec& spec = techniques.spec(light_);
   Picked picked;

@@ -1,6 +1,7 @@
 // "Explain": overlays, the light's views as lines, the map, and everything about a picked pixel.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -83,7 +84,7 @@ class Explain {
   bool pick_mode_ = false;
   std::optional<vec2> place_;  // picked, as a share of the picture: it stays where it is when the picture's size changes
   std::optional<Picked> picked_;
-  std::vector<ShadowView> views_;  // of the last frame
+  std::array<std::vector<ShadowView>, 2> views_;  // of each side's last frame
   std::optional<Held> held_;       // lines that stay while the camera leaves
   std::unique_ptr<PointReference> reference_;
 };

@@ -53,7 +53,7 @@ const char* flag_text(uint32_t flag) {
   }
 }
 
-void show_layers(std::span<const ShadowView> views) {
+void show_layers_of(std::span<const ShadowView> views) {
   for (size_t i = 0; i < views.size(); ++i) {
     if (views[i].raster.in_use == 0) continue;
     const vec2 interval = views[i].interval_m;
@@ -61,6 +61,13 @@ void show_layers(std::span<const ShadowView> views) {
     if (interval.y < 1e30f) text += fmt::format(": {:.1f} to {:.1f} m", interval.x, interval.y);
     entry(layer_colour(static_cast<uint32_t>(i)), text);
   }
+}
+
+void show_layers(std::span<const ShadowView> views, std::span<const ShadowView> second) {
+  show_layers_of(views);
+  if (second.empty()) return;
+  remark("of the second side");
+  show_layers_of(second);
 }
 
 }  // namespace
@@ -75,13 +82,13 @@ uint32_t to_colour(const vec3& colour, float alpha) {
   return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, alpha});
 }
 
-void show_legend(uint32_t overlay, std::span<const ShadowView> views) {
+void show_legend(uint32_t overlay, std::span<const ShadowView> views, std::span<const ShadowView> second) {
   switch (overlay) {
     case k_overlay_layers:
-      return show_layers(views);
+      return show_layers(views, second);
     case k_overlay_texels:
       remark("borders of texels; where they are small, of every 8th, 64th ...");
-      return show_layers(views);
+      return show_layers(views, second);
     case k_overlay_footprint:
       remark("side of a texel, in pixels");
       return bar({"1/8", "1/4", "1/2", "1", "2", "4", "8"});
