@@ -4,7 +4,7 @@
 #include "frame/glsl/caster_alpha.glsl"
 #endif
 
-layout(location = 0) in vec2 disc;
+layout(location = 0) flat in vec2 disc_of_texel;
 layout(location = 1) flat in uint item_index;
 layout(location = 2) flat in vec3 corner_a;
 layout(location = 3) flat in vec3 corner_b;
@@ -29,6 +29,8 @@ float beside(vec3 a, vec3 b, vec3 ray) {
 }
 
 void main() {
+  // tan(angle / 2) along x and y. From the texel alone, not interpolated: the same for both triangles of an edge.
+  vec2 disc = gl_FragCoord.xy * disc_of_texel.x + disc_of_texel.y;
   vec3 ray = vec3(2.0 * disc, 1.0 - dot(disc, disc)) / (1.0 + dot(disc, disc));
   vec3 weight = vec3(beside(corner_b, corner_c, ray), beside(corner_c, corner_a, ray), beside(corner_a, corner_b, ray));
   vec3 normal = cross(corner_b - corner_a, corner_c - corner_a);

@@ -22,7 +22,8 @@ struct LightView {
   // what casts only there need not be drawn into coarser layers. 0: nowhere.
   float served;
   float kernel_m;  // how far from a point's own place its kernel reads in this layer, metres
-  uint unused_1, unused_2;
+  float texel_clip;  // paraboloid: a texel's side in clip space
+  uint unused;
 };
 
 // Clip-space radius of the directions across the axis.

@@ -59,6 +59,7 @@ class DualParaboloid : public Projection {
     view.raster.near_m = view.depth_near_m = near;
     view.raster.far_m = far;
     view.raster.in_use = 1;
+    view.raster.texel_clip = 2.0f / size;
     view.linear_numerator = vec4(0, 0, 1, 0);
     view.linear_denominator = vec4(0, 0, 0, 1);
     view.origin_ws = position;
