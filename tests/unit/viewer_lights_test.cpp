@@ -62,6 +62,21 @@ TEST(ViewerLights, added_ones_have_names_and_techniques) {
   EXPECT_EQ(state.techniques.front(), "cascaded/pcf");
 }
 
+TEST(ViewerLights, those_without_a_technique_get_one) {
+  const std::vector<Light> lights = {lamp("sun", LightKind::directional), lamp("lamp", LightKind::point), lamp("spot", LightKind::spot)};
+  ViewState state = one_state();
+  state.techniques = {"cascaded/vsm"};
+  state.complete_techniques(lights);
+  EXPECT_EQ(state.techniques, (std::vector<std::string>{"cascaded/vsm", "cube/pcf", "single/pcf"}));
+  // Those of before, where they serve.
+  state.techniques = {"cascaded/vsm"};
+  state.complete_techniques(lights, std::vector<std::string>{"cascaded/pcf", "dual_paraboloid/hard", "single/vsm"});
+  EXPECT_EQ(state.techniques, (std::vector<std::string>{"cascaded/vsm", "dual_paraboloid/hard", "single/vsm"}));
+  state.techniques = {"ray_traced"};
+  state.complete_techniques(lights);
+  EXPECT_EQ(state.techniques, std::vector<std::string>{"ray_traced"});
+}
+
 TEST(ViewerLights, settings_go_with_the_name) {
   const std::vector<Light> lights = {lamp("sun", LightKind::directional), lamp("lamp, left", LightKind::spot)};
   ViewState state = one_state();

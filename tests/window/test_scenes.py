@@ -51,6 +51,18 @@ class Scenes(WindowCase):
         self.assertEqual(viewer.text("comparison"), "1 rows")
         self.close(viewer)
 
+    def test_lights_that_the_chosen_technique_does_not_serve(self):
+        """Neither another scene nor a preset fails because of them."""
+        viewer = self.open("chart/slab", *WIDE, "--technique", "cascaded/hard", "--set", "cascaded.size=128", "--split", "cascaded/vsm")
+        self.open_scene(viewer, "lamps")
+        viewer.until_command("--technique cascaded/hard,cube/pcf,single/pcf")
+        viewer.until_text("sides", lambda text: text == "cube/pcf, single/pcf, cascaded/hard | cube/pcf, single/pcf, cascaded/vsm")
+        viewer.section("Presets, undo")
+        viewer.choose("builtin_preset", "thesis-cascaded-vsm-blurred")
+        viewer.until_command("--technique cascaded/vsm,cube/pcf,single/pcf")
+        self.assertEqual(viewer.status()["message"], "")
+        self.close(viewer)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

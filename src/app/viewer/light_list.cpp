@@ -85,16 +85,6 @@ std::set<std::string> names_of(const ViewState& state) {
   return names;
 }
 
-void add_technique_for(ViewState& state, LightKind kind) {
-  if (technique_for(state.techniques, kind)) return;
-  for (const char* name : {"single/pcf", "cube/pcf"}) {
-    if (find_technique(name).supports(kind)) {
-      state.techniques.emplace_back(name);
-      return;
-    }
-  }
-}
-
 }  // namespace
 
 void ListedLight::aim_at(const vec3& target_ws) {
@@ -133,7 +123,7 @@ void add_light(ViewState& state, std::span<const Light> in_force, ListedLight li
   write_out(state, in_force);
   light.light.name = free_name(allowed_name(light.light.name, std::string(light_kind_name(light.light.kind))), names_of(state));
   state.view.lights.push_back(light_text(light.light, light.reach_m));
-  add_technique_for(state, light.light.kind);
+  state.complete_techniques(std::span(&light.light, 1));
 }
 
 void remove_light(ViewState& state, std::span<const Light> in_force, size_t index) {

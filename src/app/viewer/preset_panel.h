@@ -7,12 +7,12 @@ namespace gnomon::viewer {
 
 class PresetPanel {
  public:
-  // Throws Error where a preset cannot be read, used or written.
-  void show(ViewState& state, uvec2 size);
+  // `lights`: those that are shown. Throws Error where a preset cannot be read, used or written.
+  void show(ViewState& state, uvec2 size, std::span<const Light> lights);
 
  private:
-  void load(ViewState& state, const std::string& name);
-  void builtin_ones(ViewState& state);
+  void load(ViewState& state, const std::string& name, std::span<const Light> lights);
+  void builtin_ones(ViewState& state, std::span<const Light> lights);
   void save(const ViewState& state, uvec2 size);
 
   bool keep_view_ = false;

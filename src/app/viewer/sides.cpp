@@ -63,6 +63,7 @@ void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& s
   };
   names_[0] = name_of_side(state.techniques);
   if (choice_.second == SecondSide::settings) {
+    choice_.other.complete_techniques(session.frame().lights());
     names_[1] = name_of_side(choice_.other.techniques);
     return draw_settings(recorder, session, state, canvas, explain);
   }

@@ -50,6 +50,15 @@ void ViewState::choose_technique(const TechniqueSpec& spec, LightKind kind, std:
   for (const TechniqueSpec* of_light : chosen) techniques.push_back(of_light->name);
 }
 
+void ViewState::complete_techniques(std::span<const Light> lights, std::span<const std::string> before) {
+  std::vector<std::string> candidates(before.begin(), before.end());
+  candidates.insert(candidates.end(), {"single/pcf", "cube/pcf"});  // for every kind of light
+  for (const Light& light : lights) {
+    if (technique_for(techniques, light.kind)) continue;
+    if (const TechniqueSpec* spec = technique_for(candidates, light.kind)) techniques.push_back(spec->name);
+  }
+}
+
 std::string ViewState::command(uvec2 size) const {
   std::string command = "gnomon";
   for (const std::string& word : words("render", "--technique", size)) command += " " + shell_quoted(word);

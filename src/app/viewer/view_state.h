@@ -18,6 +18,8 @@ struct ViewState {
   Settings settings() const;
   // Techniques in the list that do not serve lights of that kind stay.
   void choose_technique(const TechniqueSpec& spec, LightKind kind, std::span<const Light> lights);
+  // Adds a technique for each kind of light that has none: of `before`, else a usual one.
+  void complete_techniques(std::span<const Light> lights, std::span<const std::string> before = {});
   // `gnomon render ...` of the same picture, without its output.
   std::string command(uvec2 size) const;
   // The same as words: `render SCENE --size ... --technique ... --set ...`, or another subcommand that takes techniques.

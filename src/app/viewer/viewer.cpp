@@ -36,8 +36,9 @@ uvec2 scaled(uvec2 size, float scale) {
 
 }  // namespace
 
-Opened::Opened(Opening& opening, Screen& screen)
+Opened::Opened(Opening& opening, Screen& screen, bool another)
     : session(opening.finish(screen.device, glm::max(screen.window.size(), uvec2(1)))), state(opening.state()) {
+  if (another) state.complete_techniques(session->frame().lights());
   techniques.update(*session, state.techniques);
   warnings = opening.warnings();
 }
@@ -51,7 +52,7 @@ std::optional<Opened> open_first(Screen& screen, ViewState state) {
     if (screen.window.closing()) return std::nullopt;
     screen.show_panels([&] { show_progress(opening.status(), opening.share()); });
   }
-  return Opened(opening, screen);
+  return Opened(opening, screen, false);
 }
 
 Viewer::Viewer(Screen& screen, Opened opened, Workspace& workspace, const ViewerOptions& options)
@@ -118,7 +119,7 @@ void Viewer::follow_drops() {
   if (!window_.dropped().empty()) open(window_.dropped().front());
   if (!opening_ || !opening_->ready()) return;
   std::string problem;
-  if (attempt(problem, [&] { next_.emplace(*opening_, screen_); })) {
+  if (attempt(problem, [&] { next_.emplace(*opening_, screen_, true); })) {
     outputs_.stop_clip();  // pictures of another scene may have another size
   } else {
     message_ = fmt::format("{} is not opened: {}", opening_->scene_name(), problem);

@@ -26,8 +26,9 @@ struct ViewerOptions {
 
 // A scene that has been opened, and what it is shown with.
 struct Opened {
-  // Throws what building says of scene and techniques.
-  Opened(Opening& opening, Screen& screen);
+  // Kinds of light that the techniques do not serve get usual ones where the scene is `another` one than they were chosen for; else that is
+  // an error. Throws what building says of scene and techniques.
+  Opened(Opening& opening, Screen& screen, bool another);
 
   std::unique_ptr<Session> session;
   ViewState state;
