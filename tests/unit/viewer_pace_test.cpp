@@ -14,11 +14,12 @@ constexpr float k_target = 40.0f;
 // Frames of 10 ms.
 struct Clock {
   Pace pace;
+  bool settled = false;  // the size of a fast view
   Pace::Clock::time_point now = Pace::Clock::time_point() + std::chrono::hours(1);
 
   Draws frame(bool changed, float ms, bool may_shrink = true, bool may_stay = true) {
     now += std::chrono::milliseconds(10);
-    const Draws draws = pace.next(changed, may_shrink, may_stay, now);
+    const Draws draws = pace.next({changed, false, may_shrink, may_stay && (settled || pace.slow())}, now);
     if (pace.draws_once()) pace.done(ms, k_target);
     pace.add_frame(ms, k_target, true);
     return draws;
@@ -38,6 +39,27 @@ TEST(Pace, AFastViewIsDrawnInFull) {
     EXPECT_EQ(clock.frames(100, changed, 45.0f), Draws::full);
     EXPECT_FALSE(clock.pace.slow());
   }
+}
+
+TEST(Pace, AFastViewIsDrawnOnceAtRest) {
+  Clock clock;
+  clock.settled = true;
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(clock.frames(50, true, 30.0f), Draws::full);
+    EXPECT_FALSE(clock.pace.draws_once());
+    EXPECT_EQ(clock.frames(19, false, 30.0f), Draws::full);
+    EXPECT_FALSE(clock.pace.stays());
+    EXPECT_EQ(clock.frame(false, 120.0f), Draws::full);
+    EXPECT_TRUE(clock.pace.stays());
+    EXPECT_EQ(clock.frames(50, false, 1.0f), Draws::nothing);
+    // Something else lies over it.
+    clock.now += std::chrono::milliseconds(10);
+    EXPECT_EQ(clock.pace.next({false, true, true, true}, clock.now), Draws::full);
+    EXPECT_TRUE(clock.pace.draws_once()) << "at rest, not as while it moves";
+    clock.pace.done(120.0f, k_target);
+    EXPECT_EQ(clock.frame(false, 1.0f), Draws::nothing);
+  }
+  EXPECT_FALSE(clock.pace.slow());
 }
 
 TEST(Pace, OneLongFrameDoesNotMakeAViewSlow) {
@@ -73,7 +95,7 @@ TEST(Pace, WhatIsGivenUpIsDrawnAgain) {
   clock.become_slow();
   clock.frame(true, 30.0f);
   clock.now += std::chrono::seconds(1);
-  EXPECT_EQ(clock.pace.next(false, true, true, clock.now), Draws::full);
+  EXPECT_EQ(clock.pace.next({false, false, true, true}, clock.now), Draws::full);
   EXPECT_TRUE(clock.pace.draws_once());
   clock.pace.give_up();
   EXPECT_FALSE(clock.pace.shows_full());

@@ -9,6 +9,46 @@ SLOW = ["--frame-ms", "5", "--technique", "cascaded/vsm", "--set", "cascaded.siz
 
 
 class Pace(WindowCase):
+    def test_a_fast_view_is_finer_at_rest(self):
+        viewer = self.open("chart/slab", "--size", "1280x720", "--frame-ms", "20", "--technique", "single/hard", "--set", "single.size=64")
+        fine = viewer.until(self.is_fine, "the picture at rest")["picture_size"]
+        self.assertNotIn("small_maps", viewer.status()["texts"])
+        viewer.desktop.key("w", True)
+        viewer.until(lambda status: status["picture_size"][0] < fine[0], "a picture that is drawn in time")
+        viewer.desktop.key("w", False)
+        viewer.until(self.is_fine, "the picture at rest")
+        # What comes over it is drawn on a picture of that size, and stays, too.
+        viewer.press("v")
+        viewer.until_text("overlay", lambda text: text.startswith("layers"))
+        viewer.frames(4)
+        size = viewer.status()["picture_size"]
+        self.assertTrue(self.is_fine(viewer.status()))
+        before = self.beside_panels(viewer.picture())
+        viewer.frames(4)
+        self.assertEqual(difference(self.beside_panels(viewer.picture()), before), 0.0)
+        viewer.press("v")
+        viewer.until_text("overlay", lambda text: text == "texel grid")
+        viewer.wait(lambda: difference(self.beside_panels(viewer.picture()), before) > 1.0, "the other overlay")
+        viewer.click("adapt_size")
+        viewer.frames(4)
+        self.assertEqual(viewer.status()["picture_size"], size, "a fixed size begins with that on screen")
+        self.close(viewer)
+
+    def test_a_reference_is_of_the_picture_at_rest(self):
+        viewer = self.open("chart/slab", "--size", "1280x720", "--frame-ms", "20", "--technique", "single/hard", "--set", "single.size=64",
+                           "--split", "reference")
+        viewer.section("Compare") if "second_side" not in viewer.widgets() else None
+        viewer.click("scores")
+        viewer.until_text("reference", lambda text: "ray" in text and " of " not in text, 120)
+        self.assertTrue(self.is_fine(viewer.status()))
+        first = viewer.until_text("mae.first", lambda _: True)
+        viewer.hold("w", frames=4)
+        viewer.until_text("reference", lambda text: " of " in text or text.startswith("waits"))
+        viewer.until_text("reference", lambda text: "ray" in text and " of " not in text, 120)
+        viewer.until_text("mae.first", lambda text: text != first)
+        self.assertTrue(self.is_fine(viewer.status()))
+        self.close(viewer)
+
     def slow_view(self, size="900x500"):
         viewer = self.open("courtyard", "--size", size, *SLOW)
         # Some frames are measured first.
@@ -88,6 +128,9 @@ class Pace(WindowCase):
             self.assertTrue(viewer.status()["full_maps"])
         viewer.desktop.key("w", False)
         self.close(viewer)
+
+    def is_fine(self, status):
+        return status["picture_size"][0] >= status["window_size"][0] // 2
 
     def beside_panels(self, picture):
         width, height, _ = picture

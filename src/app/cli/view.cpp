@@ -69,6 +69,7 @@ void add_view(CLI::App& app, const Globals& globals) {
   auto* command = app.add_subcommand("view", "a window to walk through a scene, with every setting at hand");
   const auto arguments = std::make_shared<Arguments>();
   arguments->view.scene = "courtyard";
+  arguments->view.size = "1280x720";  // of the window: room for a picture between the panels
   arguments->view.add_to(*command);
   command->get_option("scene")->capture_default_str();
   auto* technique = command->add_option("--technique", arguments->techniques,

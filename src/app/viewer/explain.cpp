@@ -171,9 +171,10 @@ std::string Explain::overlay_drawn() const {
   return overlay_drawn_ ? fmt::format("the overlay '{}'", overlay_title(options_.overlay)) : std::string();
 }
 
-std::string Explain::second_key(const Session& session) const {
+std::string Explain::key(size_t side) const {
   std::string key = fmt::format("{} {} {}", options_.overlay, options_.opacity, light_);
-  if (picks_on(1)) key += fmt::format(" {},{}", pixel(session).x, pixel(session).y);
+  if (side == 0 && options_.lines) key += " lines";
+  if (picks_on(side)) key += fmt::format(" {},{}", place_->x, place_->y);
   return key;
 }
 

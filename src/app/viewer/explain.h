@@ -52,8 +52,9 @@ class Explain {
   void collect(Session& session, const TechniqueSet& techniques, size_t side);
   // What is said of the pick, in each frame: the reference's answer may come later.
   void judge(Session& session);
-  // The second side's picture is out of date where this changes.
-  std::string second_key(const Session& session) const;
+  // A side's picture is out of date where this changes.
+  std::string key(size_t side) const;
+  bool reads_map() const { return options_.map_open; }  // in each frame
   bool reads_frame() const { return place_ || options_.map_open || options_.lines || options_.overlay != k_overlay_none; }
   // What the overlay is called; empty where none lies over the picture.
   std::string overlay_drawn() const;

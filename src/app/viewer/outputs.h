@@ -25,8 +25,9 @@ class Outputs {
 
   // A report is being measured: the window should leave the device alone.
   bool measuring() const { return comparison_.busy(); }
-  // A picture of the coming frame is wanted.
-  bool wants_frame() const { return !wanted_.empty() || clip_.running(); }
+  // What the coming frame is wanted for.
+  bool wants_picture() const { return !wanted_.empty(); }
+  bool wants_frame() const { return wants_picture() || clip_.running(); }
   // A clip has begun: its pictures must be of one size.
   bool recording() const { return clip_.running() && clip_.count() > 0; }
   void stop_clip() { clip_.stop(); }

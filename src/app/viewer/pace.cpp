@@ -6,14 +6,14 @@
 
 namespace gnomon::viewer {
 
-Pace::Draws Pace::next(bool changed, bool may_shrink, bool may_stay, Clock::time_point now) {
-  if (changed) changed_at_ = now;
+Pace::Draws Pace::next(const Asked& asked, Clock::time_point now) {
+  if (asked.changed) changed_at_ = now;
+  if (asked.outdated) current_ = false;
   const bool rests = now - changed_at_ >= k_rest;
   last_ = Draws::full;
-  if (slow_ && may_shrink && !rests) last_ = Draws::small_maps;
-  if (slow_ && may_stay && rests && current_) last_ = Draws::nothing;
-  // A picture that may not stay has something on it that the next one may not have.
-  current_ = last_ != Draws::small_maps && may_stay;
+  if (slow_ && asked.may_shrink && !rests) last_ = Draws::small_maps;
+  if (asked.may_stay && rests && current_) last_ = Draws::nothing;
+  current_ = asked.may_stay && rests;
   return last_;
 }
 

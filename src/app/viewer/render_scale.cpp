@@ -16,6 +16,7 @@ void RenderScale::forget() {
   fixed_ms_ = -1.0f;
   skip_ = k_settling;
   wait_ = k_first_wait;
+  kept_ = 0;
 }
 
 float RenderScale::budget_ms() const { return std::max(target_ms_, fixed_ms_ * 4.0f / 3.0f); }
@@ -26,9 +27,11 @@ void RenderScale::go_to(int step, float ms) {
   step_ = step;
   slow_ = fast_ = 0, fast_ms_ = 0.0f;
   skip_ = k_settling;
+  kept_ = 0;
 }
 
 void RenderScale::add_frame(float ms) {
+  ++kept_;
   if (skip_ > 0) {
     --skip_;
     return;

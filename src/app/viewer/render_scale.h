@@ -21,6 +21,8 @@ class RenderScale {
   void set_least(float scale) { step_ = std::max(step_, least_ = step_of(scale)); }
   // Whether another size would not help: it is the least, or what no size changes takes too long by itself.
   bool exhausted() const { return skip_ == 0 && (step_ == least_ || budget_ms() > k_tolerance * target_ms_); }
+  // Whether it has kept its size for a while.
+  bool settled() const { return kept_ >= k_settled; }
   static constexpr float k_tolerance = 1.25f;  // of the target: sizes come in steps
   // Of a whole frame at this scale, from input to picture.
   void add_frame(float ms);
@@ -30,6 +32,7 @@ class RenderScale {
  private:
   static constexpr int k_steps_per_octave = 4;
   static constexpr int k_settling = 2;  // frames after a change that say nothing: pipelines warm up, images are new
+  static constexpr int k_settled = 10;
   static constexpr int k_first_wait = 6, k_longest_wait = 96;
   static int step_of(float scale);
   static float scale_of(int step);
@@ -47,6 +50,7 @@ class RenderScale {
   int slow_ = 0, fast_ = 0, skip_ = k_settling;
   int wait_ = k_first_wait;  // fast frames in a row before the next step up: more each time that one had to be taken back
   bool went_up_ = false;
+  int kept_ = 0;  // frames of this size
 };
 
 }  // namespace gnomon::viewer

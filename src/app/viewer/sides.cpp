@@ -54,10 +54,15 @@ ViewState Sides::second_state(const ViewState& first) const {
   return state;
 }
 
-void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain) {
+std::string Sides::key() const {
+  const int samples = shows_error() ? reference_->answer()->samples : 0;
+  return fmt::format("{} {} {} {}", static_cast<int>(choice_.second), samples, light_, choice_.error);
+}
+
+bool Sides::draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain) {
   // Camera, lights or size may be others since the last frame: neither picture nor score may read the old answer.
   if (reference_) reference_->forget_other_view(session);
-  if (choice_.second == SecondSide::none) return techniques_.clear(), score_[1].reset();
+  if (choice_.second == SecondSide::none) return techniques_.clear(), score_[1].reset(), false;
   const auto name_of_side = [&](const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names_in_force(names, session.frame().lights()), ", "));
   };
@@ -70,9 +75,10 @@ void Sides::draw_second(Recorder& recorder, Session& session, const ViewState& s
   techniques_.clear(), score_[1].reset();
   names_[1] = reference_ && reference_->answer() ? "reference" : "reference: waits for a still view";
   draw_reference(recorder, session, canvas);
+  return false;
 }
 
-void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain) {
+bool Sides::draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain) {
   if (!first_.same_picture(state) || !made_of_.same_picture(choice_.other)) {
     first_ = state, made_of_ = choice_.other;
     ViewState second = second_state(state);
@@ -80,11 +86,11 @@ void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState&
   }
   std::vector<std::byte> key = view_key(session.frame());
   append(key, std::as_bytes(std::span(&choice_.error, 1)));
-  const std::string explained = explain.second_key(session);
+  const std::string explained = explain.key(1);
   append(key, std::as_bytes(std::span(explained)));
   if (key != second_key_) settling_ = k_settling_frames;
   second_key_ = std::move(key);
-  if (settling_ == 0) return;
+  if (settling_ == 0) return false;
   const auto back_to_first = [&] { session.change(state.view, state.settings()); };
   try {
     session.change(second_.view, second_.settings());
@@ -99,6 +105,7 @@ void Sides::draw_settings(Recorder& recorder, Session& session, const ViewState&
     explain.collect(session, techniques_, 1);
     score_[1] = score(session);
     back_to_first();
+    return true;
   } catch (const Error&) {
     choice_.second = SecondSide::none;
     back_to_first();

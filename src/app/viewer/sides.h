@@ -33,9 +33,10 @@ class Sides {
   void show(ViewState& state, const Session& session, size_t light);
   void show_divider();  // and the names of the sides, over the picture
 
-  // The second side's picture with what `explain` says of it, where it is out of date; the session then shows `state` again. Throws Error
-  // where the second side's settings cannot be shown: there is then no second side.
-  void draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain);
+  // The second side's picture with what `explain` says of it, where it is out of date; the session then shows `state` again, and true means that
+  // the frame holds the other side's surface and masks. Throws Error where the second side's settings cannot be shown: there is then no second
+  // side.
+  bool draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain);
   // Behind the first side's shading.
   void record_error(Recorder& recorder, const Frame& frame) const;
   // Behind each frame: traces on, and computes the scores of what the frame's mask holds now. Throws Error.
@@ -48,6 +49,10 @@ class Sides {
     if (choice_.second != SecondSide::none) choice_.flipped = !choice_.flip_mode || !choice_.flipped, choice_.flip_mode = true;
   }
   void toggle_error() { choice_.error = !choice_.error; }
+  // What lies over the first side's picture changes with this.
+  std::string key() const;
+  // Whether the second side's picture also depends on those before it.
+  bool has_history() const { return second_settings() && techniques_.has_history(); }
   bool shows_error() const { return choice_.error && reference_ && reference_->answer(); }
   // The session's frame is made again: nothing of the old one may be held.
   void forget() { techniques_.clear(), second_key_.clear(), score_ = {}, reference_.reset(); }
@@ -64,7 +69,7 @@ class Sides {
   };
 
   ViewState second_state(const ViewState& first) const;
-  void draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain);
+  bool draw_settings(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain);
   void draw_reference(Recorder& recorder, Session& session, Canvas& canvas);
   std::optional<Score> score(Session& session) const;
   void show_reference() const;

@@ -22,8 +22,8 @@ namespace {
 constexpr std::chrono::milliseconds k_size_settles{200};
 // Of the picture on a software device, before anything is measured.
 constexpr float k_software_start = 0.35f;
-// Of a slow view's picture at rest, at least.
-constexpr float k_rest_scale = 0.5f;
+// Of the picture at rest, at least.
+constexpr float k_least_rest = 0.5f;
 // The longest step of the camera: after a slow frame it does not leap.
 constexpr float k_longest_step_s = 0.25f;
 // Between pictures while a report is measured on the same device.
@@ -157,9 +157,9 @@ void Viewer::draw() {
   const std::chrono::duration<float, std::milli> work = std::chrono::steady_clock::now() - now;
   screen_.swapchain.set_vsync(wishes_.vsync);
   screen_.swapchain.present(screen_.canvas.image());
-  // A reference is for one size: while it is wanted, only a camera that moves changes it.
-  follow_pace(work.count(), !sides_.wants_reference() || !same_view);
-  if (!draws_small_maps()) attempt(message_, [&] { sides_.follow(*session_); });
+  // A reference is for one size: once it is under way, only a camera that moves changes it.
+  follow_pace(work.count(), !sides_.has_reference() || !same_view);
+  if (!sides_.wants_reference() || is_drawn_as_it_stays()) attempt(message_, [&] { sides_.follow(*session_); });
   hand_out();
   if (says_what_is_built) {
     const ViewState built = *std::exchange(building_, std::nullopt);
@@ -223,7 +223,8 @@ void Viewer::record() {
   const FrameResult result = recorder_->finish();
   // The time of another frame is not that of its techniques.
   if (draws && !draws_small_maps()) timings_.add(result);
-  attempt(message_, [&] {
+  // Of a picture that was given up there is nothing to tell.
+  if (draws || pace_.stays()) attempt(message_, [&] {
     explain_.collect(*session_, techniques_, 0);
     explain_.judge(*session_);
   });
@@ -256,19 +257,27 @@ void Viewer::draw_once() {
 }
 
 void Viewer::choose_draws() {
-  const bool changed = !drawn_ || !drawn_->same_picture(state_);
-  if (changed) drawn_ = state_;
-  // What is explained, set beside another, measured or taken home is drawn in full.
+  Pace::Asked asked = {};
+  asked.changed = !drawn_ || !drawn_->same_picture(state_);
+  if (asked.changed) drawn_ = state_;
+  const std::string over = explain_.key(0) + " " + sides_.key();
+  asked.outdated = std::exchange(drawn_over_key_, over) != over;
   const bool taken = wishes_.screenshot || outputs_.wants_frame() || !options_.screenshot.empty();
   const bool measured = measure_.open() || wishes_.separate_passes;
+  const bool in_each_frame = taken || measured || explain_.reads_map() || techniques_.has_history() || sides_.has_history();
+  // What is explained or set beside another has maps in full size.
   const bool compared = sides_.second_settings() || explain_.reads_frame();
-  may_shrink_ = wishes_.adapt_size && !taken && !measured && !compared && !techniques_.has_history();
-  pace_.next(changed, may_shrink_, may_shrink_ && !sides_.wants_reference(), last_frame_);
+  may_shrink_ = asked.may_shrink = wishes_.adapt_size && !in_each_frame && !compared;
+  // Before the size is found nothing stays: it is found by drawing.
+  const bool settled = pace_.slow() || render_scale_.settled();
+  stays_finer_ = wishes_.adapt_size && !in_each_frame && (!settled || pace_.slow() || render_scale_.scale() < RenderScale::k_most);
+  asked.may_stay = stays_finer_ && settled;
+  pace_.next(asked, last_frame_);
 }
 
 void Viewer::follow_pace(float work_ms, bool size_is_free) {
   // What others do on the device at the same time is not the view's.
-  const bool alone = size_is_free && !outputs_.measuring() && !sides_.wants_reference();
+  const bool alone = size_is_free && !outputs_.measuring() && !sides_.has_reference();
   if (!wishes_.adapt_size) pace_.forget();
   if (may_shrink_ && alone) pace_.add_frame(work_ms, wishes_.target_ms, render_scale_.exhausted());
   if (std::exchange(was_slow_, pace_.slow()) != pace_.slow()) render_scale_.forget();
@@ -278,7 +287,9 @@ void Viewer::follow_pace(float work_ms, bool size_is_free) {
     small_.clear();
     if (divisor > 0 && !attempt(message_, [&] { small_.update(*session_, state_.techniques, divisor); })) pace_.refuse(), small_.clear();
   }
-  if (size_is_free && pace_.last() != Pace::Draws::nothing) render_scale_.add_frame(work_ms);
+  // One that is taken home may have another size.
+  const bool own_size = session_->options().size == scaled(window_.size(), render_scale_.scale());
+  if (size_is_free && own_size && pace_.last() != Pace::Draws::nothing) render_scale_.add_frame(work_ms);
 }
 
 // What leaves the window: pictures, clips, the clipboard, the status file.
@@ -292,7 +303,9 @@ void Viewer::hand_out() {
 }
 
 void Viewer::draw_second() {
-  attempt(message_, [&] { sides_.draw_second(*recorder_, *session_, state_, screen_.canvas, explain_); });
+  attempt(message_, [&] {
+    if (sides_.draw_second(*recorder_, *session_, state_, screen_.canvas, explain_) && pace_.last() == Pace::Draws::nothing) pace_.draw_again();
+  });
 }
 
 // Changes count in this frame, unless something must be built for them: then the next frame says so, and they count behind it.
@@ -351,15 +364,23 @@ void Viewer::update_techniques(const std::vector<std::string>& names) {
 
 uvec2 Viewer::wanted_size() const {
   if (!wishes_.adapt_size) return scaled(window_.size(), wishes_.scale);
-  // Of a slow view the picture at rest, or one that is saved, is drawn once: it may take longer.
-  const bool saved = pace_.slow() && (wishes_.screenshot || outputs_.wants_frame());
+  // The picture at rest, or one that is saved, is drawn once: it may take longer. So may those of a clip that would have small maps.
+  const bool saved = wishes_.screenshot || outputs_.wants_picture() || (pace_.slow() && outputs_.wants_frame());
   const bool stays = saved || pace_.draws_once() || pace_.last() == Pace::Draws::nothing;
-  return scaled(window_.size(), stays ? std::max(render_scale_.scale(), k_rest_scale) : render_scale_.scale());
+  return scaled(window_.size(), stays ? rest_scale() : render_scale_.scale());
+}
+
+float Viewer::rest_scale() const {
+  const float moving = render_scale_.scale();
+  // Four times the pixels take at most four times as long, and input waits for one pass of them.
+  const float finer = pace_.slow() ? moving : 2.0f * moving;
+  return std::clamp(finer, std::max(moving, k_least_rest), RenderScale::k_most);
 }
 
 bool Viewer::follow_size() {
   render_scale_.set_target(wishes_.target_ms);
-  if (wishes_.adapt_size) wishes_.scale = render_scale_.scale();
+  // Without adapting, the picture keeps the size that it has.
+  if (wishes_.adapt_size) wishes_.scale = static_cast<float>(session_->options().size.x) / static_cast<float>(std::max(window_.size().x, 1u));
   // While a window is dragged to another size the old picture is stretched.
   const uvec2 window = window_.size();
   const auto now = std::chrono::steady_clock::now();

@@ -57,6 +57,8 @@ class Viewer {
   void follow_pace(float work_ms, bool size_is_free);
   void hand_out();
   void draw_second();
+  bool is_drawn_as_it_stays() const { return !stays_finer_ || pace_.stays(); }
+  float rest_scale() const;
   std::string& failure();          // that is shown now, of whoever failed first; empty: none
   std::string drawn_over() const;  // the picture, beside what its command draws
   void handle_keys();
@@ -87,8 +89,10 @@ class Viewer {
   TechniqueSet small_;  // the same with smaller maps, where the view is slow
   Pace pace_;
   bool may_shrink_ = false, was_slow_ = false;
+  bool stays_finer_ = false;   // the picture at rest is, or will be, another one than while it moves
   uint32_t small_divisor_ = 0;  // of small_; 0: there is none
   std::optional<ViewState> drawn_;  // in the last frame
+  std::string drawn_over_key_;      // what lay over it
   SharedReference rays_;
   Interface& interface_;
   StatusFile status_;
