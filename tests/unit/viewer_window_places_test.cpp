@@ -27,6 +27,7 @@ TEST(WindowPlaces, NoneCoversAnotherFrom800x600On) {
         EXPECT_LE(all[i].end().y, height);
         for (size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(all[i], all[j])) << i << ", " << j;
       }
+      EXPECT_FALSE(places.panel_folded);
       for (const Place& place : {places.pick, places.map}) {
         EXPECT_GE(place.size.x, 200.0f);
         EXPECT_GE(place.size.y, 200.0f);
@@ -37,6 +38,8 @@ TEST(WindowPlaces, NoneCoversAnotherFrom800x600On) {
 
 TEST(WindowPlaces, SmallScreensKeepReadableWindows) {
   const WindowPlaces places = first_places({400.0f, 300.0f}, k_letter);
+  EXPECT_TRUE(places.panel_folded && places.tools_folded) << "there is a picture to be seen";
+  EXPECT_GT(places.tools.corner.y, places.panel.corner.y + k_letter) << "titles do not lie on each other";
   for (const Place& place : {places.panel, places.pick, places.map}) {
     EXPECT_GE(place.size.x, 200.0f);
     EXPECT_GE(place.size.y, 100.0f);

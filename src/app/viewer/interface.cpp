@@ -11,6 +11,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 
+#include "app/viewer/section.h"
 #include "gpu/recorder.h"
 
 namespace gnomon::viewer {
@@ -167,6 +168,7 @@ void Interface::begin_frame() {
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
+  arrange_windows();
 }
 
 void Interface::end_frame() { ImGui::Render(); }

@@ -151,7 +151,7 @@ ListedLight usual_light(LightKind kind, const vec3& target_ws, float scale_m) {
     light.intensity = 3.0f * std::max(listed.reach_m * listed.reach_m, 1e-4f);  // as bright at its target as a sun
     light.radius = 0.005f * scale_m;
   }
-  if (kind == LightKind::directional) light.direction = sun_direction(135.0f, 50.0f);
+  if (kind == LightKind::directional) light.direction = sun_direction(225.0f, 50.0f);
   return listed;
 }
 

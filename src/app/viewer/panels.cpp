@@ -20,7 +20,8 @@ void wrapped(const std::string& text, float width) {
 }  // namespace
 
 bool begin_main_panel() {
-  appear_at(places_on_screen().panel);
+  const WindowPlaces places = places_on_screen();
+  appear_at(places.panel, places.panel_folded);
   const bool open = ImGui::Begin("gnomon");
   if (open) note_window("panel");
   return open;

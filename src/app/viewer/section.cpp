@@ -11,6 +11,10 @@ namespace {
 
 ImVec2 to_imgui(vec2 v) { return {v.x, v.y}; }
 
+// As Dear ImGui's own state: of the one interface.
+vec2 arranged_for(0.0f);
+ImGuiCond when_arranged = ImGuiCond_FirstUseEver;
+
 }  // namespace
 
 WindowPlaces places_on_screen() {
@@ -18,9 +22,18 @@ WindowPlaces places_on_screen() {
   return first_places({screen.x, screen.y}, ImGui::GetFontSize());
 }
 
-void appear_at(const Place& place) {
-  ImGui::SetNextWindowPos(to_imgui(place.corner), ImGuiCond_FirstUseEver);
-  ImGui::SetNextWindowSize(to_imgui(place.size), ImGuiCond_FirstUseEver);
+void arrange_windows() {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const vec2 size(screen.x, screen.y);
+  const bool anew = size != arranged_for && size.x > 0.0f;
+  when_arranged = anew ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
+  if (anew) arranged_for = size;
+}
+
+void appear_at(const Place& place, bool folded) {
+  ImGui::SetNextWindowPos(to_imgui(place.corner), when_arranged);
+  ImGui::SetNextWindowSize(to_imgui(place.size), when_arranged);
+  ImGui::SetNextWindowCollapsed(folded, when_arranged);
 }
 
 float section_width() {
@@ -34,7 +47,7 @@ bool begin_section(const char* title, bool open_at_first) {
   ImGui::SetNextWindowPos(to_imgui(tools.corner), ImGuiCond_Always);
   const float most = ImGui::GetIO().DisplaySize.y - 2.0f * tools.corner.y;
   ImGui::SetNextWindowSizeConstraints({tools.size.x, 0.0f}, {tools.size.x, std::max(most, 60.0f)});
-  ImGui::SetNextWindowCollapsed(places.tools_folded, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowCollapsed(places.tools_folded, when_arranged);
   const bool shown = ImGui::Begin("tools", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
   bool open = false;
   if (shown) {

@@ -96,7 +96,8 @@ std::optional<Opened> Viewer::run() {
     if (!visible) continue;
     if (outputs_.measuring()) std::this_thread::sleep_for(k_measuring_interval);
     draw();
-    if (!sides_.waits_for_reference()) ++workspace_.frames;
+    const bool waits = sides_.waits_for_reference() || (!options_.screenshot.empty() && !is_drawn_as_it_stays());
+    if (!waits) ++workspace_.frames;
   }
   if (!next_ && !options_.screenshot.empty() && screen_.canvas.image()) write_png(options_.screenshot, screen_.canvas.read());
   return std::move(next_);
@@ -262,7 +263,7 @@ void Viewer::choose_draws() {
   if (asked.changed) drawn_ = state_;
   const std::string over = explain_.key(0) + " " + sides_.key();
   asked.outdated = std::exchange(drawn_over_key_, over) != over;
-  const bool taken = wishes_.screenshot || outputs_.wants_frame() || !options_.screenshot.empty();
+  const bool taken = wishes_.screenshot || outputs_.wants_frame();
   const bool measured = measure_.open() || wishes_.separate_passes;
   const bool in_each_frame = taken || measured || explain_.reads_map() || techniques_.has_history() || sides_.has_history();
   // What is explained or set beside another has maps in full size.

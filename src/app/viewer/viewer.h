@@ -21,7 +21,7 @@ namespace gnomon::viewer {
 
 struct ViewerOptions {
   uint32_t frames = 0;               // ends after so many, of all scenes; 0: when the user closes the window
-  std::filesystem::path screenshot;  // the last frame with the interface; with a reference that is complete, where one is wanted
+  std::filesystem::path screenshot;  // the last frame with the interface: at rest, and with a complete reference where one is wanted
 };
 
 // A scene that has been opened, and what it is shown with.
