@@ -5,7 +5,7 @@ import unittest
 from case import QUICK, WindowCase, png
 from viewer import difference
 
-WHOLE = ["--size", "480x300", "--scale", "1", "--technique", "single/hard", "--set", "single.size=512"]
+WHOLE = ["--size", "640x400", "--scale", "1", "--technique", "single/hard", "--set", "single.size=512"]
 
 
 class Window(WindowCase):

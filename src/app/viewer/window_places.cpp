@@ -22,12 +22,16 @@ WindowPlaces first_places(vec2 screen, float letter) {
   WindowPlaces places;
   const float panel_height = std::max(0.62f * screen.y, std::min(screen.y - 2.0f * k_margin, 400.0f));
   places.panel = {vec2(k_margin), {width(k_panel_width), panel_height}};
-  const float tools_width = width(k_tools_width), middle = places.panel.end().x + k_margin, tools_left = end.x - tools_width;
+  const float middle = places.panel.end().x + k_margin, room = end.x - middle;
+  // Where there is little room they are narrower, where there is none the panel stands below their title.
+  places.panel_folded = room < k_least_middle;
+  const float tools_width = places.panel_folded ? width(k_tools_width) : std::min(width(k_tools_width), room), tools_left = end.x - tools_width;
   places.tools_folded = tools_left - k_margin - middle < k_least_middle;
-  // No room for both beside each other: one title below the other.
-  places.panel_folded = tools_left < middle;
-  const float tools_top = places.panel_folded ? 2.0f * k_margin + k_title * letter : k_margin;
-  places.tools = {{tools_left, tools_top}, {tools_width, (places.tools_folded ? k_title : k_closed_sections) * letter}};
+  if (places.panel_folded) {
+    const float shift = k_title * letter + k_margin;
+    places.panel.corner.y += shift, places.panel.size.y = std::min(places.panel.size.y, end.y - places.panel.corner.y);
+  }
+  places.tools = {{tools_left, k_margin}, {tools_width, (places.tools_folded ? k_title : k_closed_sections) * letter}};
   const float below_tools = places.tools.end().y + k_margin;
   if (!places.tools_folded) {
     const vec2 map_size = glm::min(vec2(380.0f, 440.0f), vec2(tools_left - k_margin - middle, 0.8f * screen.y));
