@@ -96,6 +96,17 @@ class Window(WindowCase):
         self.assertEqual(viewer.status()["message"], "")
         self.close(viewer)
 
+    def test_panels_follow_the_window(self):
+        viewer = self.open("courtyard", *QUICK)
+        for width, height, shown in ((1100, 640, {"panel", "tools"}), (640, 400, {"panel"}), (400, 300, set()), (1200, 700, {"panel", "tools"})):
+            self.desktop.resize(viewer.window, width, height)
+            viewer.until(lambda status, size=[width, height]: status["window_size"] == size, "the window's size")
+            status = viewer.until(lambda status, shown=shown: {"panel", "tools"} & set(status["widgets"]) == shown, f"{shown} unfolded")
+            for name in shown:
+                left, top, right, bottom = status["widgets"][name]
+                self.assertTrue(0 <= left < right <= width and 0 <= top < bottom <= height, name)
+        self.close(viewer)
+
     def test_picture_size_apart_from_the_window(self):
         viewer = self.open("courtyard", *QUICK)
         viewer.enter("scale", "0.25")
