@@ -258,11 +258,12 @@ void Viewer::draw_once() {
 }
 
 void Viewer::choose_draws() {
-  Pace::Asked asked = {};
-  asked.changed = !drawn_ || !drawn_->same_picture(state_);
-  if (asked.changed) drawn_ = state_;
   const std::string over = explain_.key(0) + " " + sides_.key();
+  const bool slides = ImGui::IsAnyItemActive() && ImGui::IsMouseDown(0);  // the opacity does, say
+  Pace::Asked asked = {};
   asked.outdated = std::exchange(drawn_over_key_, over) != over;
+  asked.changed = !drawn_ || !drawn_->same_picture(state_) || (asked.outdated && slides);
+  if (asked.changed) drawn_ = state_;
   const bool taken = wishes_.screenshot || outputs_.wants_frame();
   const bool measured = measure_.open() || wishes_.separate_passes;
   const bool in_each_frame = taken || measured || explain_.reads_map() || techniques_.has_history() || sides_.has_history();
