@@ -157,8 +157,8 @@ void Panels::scene_params(ViewState& state, Session& session) {
   }
 }
 
-void Panels::show_message(std::string& text, MessageKind kind) const {
-  if (text.empty()) return;
+bool Panels::show_message(const std::string& text, MessageKind kind) {
+  if (text.empty()) return false;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * screen.x, screen.y - 8.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowSize({0.9f * screen.x, 0.0f});
@@ -166,7 +166,9 @@ void Panels::show_message(std::string& text, MessageKind kind) const {
   bool open = true;
   // The part behind ### is the window's identity.
   const char* title = failed ? "not possible; what was shown before is still shown###failure" : "notice###notice";
-  if (ImGui::Begin(title, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse)) {
+  // A notice takes nothing from the user: no list closes, and no field loses the keyboard.
+  const ImGuiWindowFlags focus = failed ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoFocusOnAppearing;
+  if (ImGui::Begin(title, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | focus)) {
     note_window(failed ? "message" : "notice");
     note_text(failed ? "failure" : "notice", text);
     if (failed) ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.6f, 0.5f, 1.0f});
@@ -174,7 +176,7 @@ void Panels::show_message(std::string& text, MessageKind kind) const {
     if (failed) ImGui::PopStyleColor();
   }
   ImGui::End();
-  if (!open) text.clear();
+  return !open;
 }
 
 }  // namespace gnomon::viewer

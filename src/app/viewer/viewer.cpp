@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "app/viewer/attempt.h"
-#include "app/viewer/notice.h"
 #include "app/viewer/section.h"
 #include "base/interrupt.h"
 #include "base/log.h"
@@ -77,7 +76,7 @@ Viewer::Viewer(Screen& screen, Opened opened, Workspace& workspace, const Viewer
       render_scale_(wishes_.target_ms, device_.info().software ? k_software_start : 1.0f),
       last_window_(screen.window.size()),
       last_frame_(std::chrono::steady_clock::now()) {
-  notice_ = warnings_notice(state_.view.scene, opened.warnings);
+  workspace_.notices.add(warnings_notice(state_.view.scene, opened.warnings), k_long_notice_s);
   if (!session_->scene().source.empty()) workspace_.recent.add(session_->scene().source);
   window_.set_title("gnomon: " + state_.view.scene);
 }
@@ -158,8 +157,8 @@ void Viewer::draw() {
   screen_.swapchain.present(screen_.canvas.image());
   // A reference is for one size: while it is wanted, only a camera that moves changes it.
   follow_pace(work.count(), !sides_.wants_reference() || !same_view);
+  hand_out();  // before the reference goes on: what is said of a picture is of what was drawn
   if (!draws_small_maps()) attempt(message_, [&] { sides_.follow(*session_); });
-  hand_out();
   if (says_what_is_built) {
     const ViewState built = *std::exchange(building_, std::nullopt);
     if (built.same_picture(state_)) return;
@@ -191,8 +190,13 @@ void Viewer::show_interface(ViewState& next) {
   sides_.show_divider();
   explain_.show_marks(*session_);
   // One box at a time: a notice waits until the failure is closed.
-  const bool failed = !failure().empty();
-  panels_.show_message(failed ? failure() : notice_, failed ? MessageKind::failure : MessageKind::notice);
+  if (std::string& failed = failure(); !failed.empty()) {
+    if (Panels::show_message(failed, MessageKind::failure)) failed.clear();
+    return;
+  }
+  Notices& notices = workspace_.notices;
+  notices.pass(static_cast<double>(ImGui::GetIO().DeltaTime));
+  if (Panels::show_message(notices.text(), MessageKind::notice)) notices.clear();
 }
 
 std::string& Viewer::failure() {
@@ -200,9 +204,13 @@ std::string& Viewer::failure() {
   return !shaders_.message().empty() ? shaders_.message() : outputs_.message();
 }
 
-std::string Viewer::drawn_over() const {
-  const std::string overlay = explain_.overlay_drawn(), error = sides_.shows_error() ? "the error" : "";
-  return overlay + (overlay.empty() || error.empty() ? "" : " and ") + error;
+PictureContent Viewer::picture_content() const {
+  PictureContent content;
+  content.drawn_over = explain_.overlay_drawn();
+  // The error keeps the brightness of what it lies on, and none of its colours.
+  if (sides_.shows_error()) content.drawn_over = "the error" + (content.drawn_over.empty() ? "" : ", and in grey below it " + content.drawn_over);
+  content.first_side_alone = sides_.divider() < 1.0f;
+  return content;
 }
 
 void Viewer::record() {
@@ -283,7 +291,7 @@ void Viewer::follow_pace(float work_ms, bool size_is_free) {
 // What leaves the window: pictures, clips, the clipboard, the status file.
 void Viewer::hand_out() {
   if (std::exchange(wishes_.screenshot, false)) outputs_.want_picture(".png");
-  if (!draws_small_maps()) outputs_.take(state_, *session_, drawn_over(), notice_);
+  if (!draws_small_maps()) outputs_.take(state_, *session_, picture_content(), workspace_.notices);
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), command().c_str());
   if (!status_.on()) return;
   status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), failure(), screen_.swapchain.vsync(),

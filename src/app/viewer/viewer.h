@@ -56,8 +56,8 @@ class Viewer {
   void follow_pace(float work_ms, bool size_is_free);
   void hand_out();
   void draw_second();
-  std::string& failure();          // that is shown now, of whoever failed first; empty: none
-  std::string drawn_over() const;  // the picture, beside what its command draws
+  std::string& failure();  // that is shown now, of whoever failed first; empty: none
+  PictureContent picture_content() const;
   void handle_keys();
   void move_camera(ViewState& state, float seconds);
   void follow(const ViewState& next);
@@ -100,7 +100,7 @@ class Viewer {
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<Recorder> patient_;  // of the picture that stays
   bool recorder_separates_ = false;
-  std::string message_, notice_;
+  std::string message_;
   Sides sides_;
   // To be shown behind the next frame: building it takes a while, and that frame says so.
   std::optional<ViewState> building_;
