@@ -170,5 +170,29 @@ class Explain(WindowCase):
         self.close(viewer)
 
 
+class SeveralLights(WindowCase):
+    def test_it_is_said_which_light_is_meant(self):
+        small = ["--set", "cube.size=128", "--set", "single.size=128"]
+        viewer = self.open("lamps", *WIDE, "--light", "all", "--technique", "single/hard,cube/hard", *small, "--split", "ray_traced", "--error")
+        lights = self.names(viewer, "light")
+        self.assertGreater(len(lights), 1)
+        for name in (lights[1], lights[0]):
+            viewer.choose("light", name)
+            viewer.until_text("scored_light", lambda text, name=name: text == name)
+        viewer.click_at(480, 420, MIDDLE)
+        viewer.until_text("picked_light", lambda text: text == lights[0])
+        viewer.section("Compare")
+        viewer.section("Explain")
+        viewer.choose("explained_light", lights[1])
+        viewer.until_text("picked_light", lambda text: text == lights[1])
+        self.close(viewer)
+
+    def names(self, viewer, widget):
+        viewer.click(widget)
+        names = viewer.entries(widget)
+        viewer.click_at(640, 630)  # beside the list: it closes
+        return names
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -58,6 +58,12 @@ void Sides::show(ViewState& state, const Session& session, size_t light) {
   }
   if (!wants_reference()) return;
   show_reference();
+  if (session.chosen_lights().size() > 1 && (choice_.error || choice_.scores)) {
+    // Each light has a mask; the picture shows all of them.
+    const std::string& name = session.chosen_lights()[light_].name;
+    note_text("scored_light", name);
+    ImGui::TextWrapped("error and scores: of the light '%s', as chosen in Technique", name.c_str());
+  }
   show_scores();
 }
 
