@@ -122,6 +122,12 @@ class Compare(WindowCase):
         viewer.choose("second_side", "other settings")
         viewer.click("second_as_first")
         viewer.until_text("sides", lambda text: text == "single/hard | single/hard")
+        viewer.choose("second_technique", "single/pcf")
+        viewer.until_text("sides", lambda text: text == "single/hard | single/pcf")
+        viewer.until_text("mae.second", lambda text: text != viewer.text("mae.first"), 60)
+        self.assertIn("--technique single/hard ", viewer.status()["command"])
+        viewer.choose("second_technique", "single/hard")
+        viewer.until_text("sides", lambda text: text == "single/hard | single/hard")
         # The lights are those of both sides.
         viewer.search("light.elevation")
         viewer.enter("light.elevation", "30")

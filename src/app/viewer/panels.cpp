@@ -7,6 +7,7 @@
 
 #include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
+#include "app/viewer/technique_list.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -93,20 +94,8 @@ void Panels::technique(ViewState& state, Session& session, const TechniqueSet& t
   }
   const TechniqueSpec& shown = techniques.spec(light_);
   ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::BeginCombo("##technique", shown.name.c_str(), ImGuiComboFlags_HeightLargest)) {
-    for (const TechniqueSpec& spec : all_techniques()) {
-      if (!spec.supports(lights[light_].kind)) continue;
-      if (ImGui::Selectable(spec.name.c_str(), &spec == &shown)) state.choose_technique(spec, lights[light_].kind, lights);
-      note_widget("technique", spec.name);
-      if (!ImGui::IsItemHovered()) continue;
-      ImGui::BeginTooltip();
-      wrapped(spec.summary, ImGui::GetFontSize() * 30.0f);
-      ImGui::EndTooltip();
-    }
-    ImGui::EndCombo();
-  } else {
-    note_widget("technique");
-  }
+  const LightKind kind = lights[light_].kind;
+  if (const TechniqueSpec* chosen = show_technique_list("##technique", "technique", &shown, kind)) state.choose_technique(*chosen, kind, lights);
   if (ImGui::TreeNode("manual page")) {
     wrapped(shown.manual, 0.0f);
     ImGui::TreePop();

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "app/viewer/sides.h"
 #include "app/viewer/status_file.h"
+#include "app/viewer/technique_list.h"
 
 namespace gnomon::viewer {
 
@@ -46,6 +48,13 @@ void Sides::show(ViewState& state, const Session& session, size_t light) {
       techniques_.clear();
     }
     note_widget("exchange");
+    const auto lights = std::span(session.chosen_lights());
+    const LightKind kind = lights[light_].kind;
+    const std::string label = lights.size() > 1 ? fmt::format("for {}", lights[light_].name) : "technique";
+    ImGui::SetNextItemWidth(0.6f * ImGui::GetContentRegionAvail().x);
+    const TechniqueSpec* chosen =
+        show_technique_list((label + "###second_technique").c_str(), "second_technique", technique_for(choice_.other.techniques, kind), kind);
+    if (chosen) choice_.other.choose_technique(*chosen, kind, lights);
   }
   ImGui::Checkbox("error over the picture (X)", &choice_.error);
   note_widget("error");
