@@ -190,7 +190,7 @@ class SeveralLights(WindowCase):
     def names(self, viewer, widget):
         viewer.click(widget)
         names = viewer.entries(widget)
-        viewer.click_at(640, 630)  # beside the list: it closes
+        viewer.press("Escape")
         return names
 
 

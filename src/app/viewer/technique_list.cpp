@@ -32,8 +32,10 @@ const TechniqueSpec* show_technique_list(const char* label, const char* name, co
       ImGui::TextDisabled("%s", group.c_str());
     }
     ImGui::Indent();
-    if (ImGui::Selectable(spec.name.c_str(), &spec == shown)) chosen = &spec;
+    const bool is_shown = shown && spec.name == shown->name;
+    if (ImGui::Selectable(spec.name.c_str(), is_shown)) chosen = &spec;
     note_widget(name, spec.name);
+    if (is_shown && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
     ImGui::Unindent();
     if (!ImGui::IsItemHovered()) continue;
     ImGui::BeginTooltip();
