@@ -26,6 +26,13 @@ TEST(Notice, OfAPictureNamesWhatItHoldsBesideItsCommand) {
             "a.png is written, of the first side alone; it also shows the error, which its command does not draw");
 }
 
+TEST(Notice, OfSeveralFilesNamesThoseThatAreNotOpened) {
+  const std::vector<std::string> one = {"/a/b.obj"}, two = {"/a/b.obj", "/a/c d.glb"}, six = {"1.obj", "2", "3", "4", "5", "6"};
+  EXPECT_EQ(drop_notice(one), "");
+  EXPECT_EQ(drop_notice(two), "one scene at a time: b.obj is opened, not c d.glb");
+  EXPECT_EQ(drop_notice(six), "one scene at a time: 1.obj is opened, not 2, 3, 4, 2 more");
+}
+
 TEST(Notices, GoByThemselvesEachInItsTime) {
   Notices notices;
   notices.add("");

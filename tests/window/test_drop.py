@@ -44,8 +44,8 @@ class Drop(WindowCase):
         self.source = DragSource(self.desktop)
         self.addCleanup(self.source.close)
 
-    def drop(self, viewer, path):
-        self.assertTrue(self.source.drop(viewer.window, [path], 500, 200))
+    def drop(self, viewer, *paths):
+        self.assertTrue(self.source.drop(viewer.window, paths, 500, 200))
 
     def test_files_and_the_list_of_the_recent_ones(self):
         obj, glb = self.folder / "two boxes.obj", self.folder / "tile.glb"  # a blank: the address of a file writes it as %20
@@ -73,6 +73,29 @@ class Drop(WindowCase):
         viewer.until(lambda status: obj.name in status["command"], "the file from the list")
         viewer.choose("scene", "chart/sphere")
         viewer.until(lambda status: "render chart/sphere" in status["command"], "a built-in scene")
+        self.close(viewer)
+
+    def test_several_files_at_once(self):
+        first, second = self.good_one(), self.folder / "tile.glb"
+        second.write_bytes(tile_glb())
+        viewer = self.open("chart/slab", *QUICK)
+        self.drop(viewer, first, second)
+        viewer.until_text("notice", lambda text: text == "one scene at a time: good.obj is opened, not tile.glb")
+        viewer.until(lambda status: first.name in status["command"], "the first of them")
+        self.assertIn("not tile.glb", viewer.until_text("notice", lambda _: True), "still there in the new scene")
+        self.close(viewer)
+
+    def test_pasted_paths(self):
+        path = self.folder / "two boxes.obj"
+        path.write_text(boxes_obj(), encoding="utf-8")
+        viewer = self.open("chart/slab", *QUICK)
+        for text in (f"'{path}' ", path.as_uri()):
+            viewer.fill("scene_path", text)
+            viewer.press("Return")
+            viewer.until(lambda status: path.name in status["command"], "the file")
+            self.assertEqual(self.desktop.title(viewer.window), f"gnomon: {path}")
+            viewer.choose("scene", "chart/slab")
+            viewer.until(lambda status: "render chart/slab" in status["command"], "the first scene")
         self.close(viewer)
 
     def test_progress(self):

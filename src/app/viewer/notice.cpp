@@ -1,14 +1,19 @@
 #include "app/viewer/notice.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace gnomon::viewer {
 namespace {
 
 constexpr size_t k_shown_warnings = 3;
+constexpr size_t k_shown_files = 3;
 constexpr size_t k_most_notices = 4;
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 }  // namespace
 
@@ -38,6 +43,14 @@ std::string warnings_notice(const std::string& scene, std::span<const std::strin
   for (size_t i = 0; i < warnings.size() && i < k_shown_warnings; ++i) text += "\n" + warnings[i];
   if (warnings.size() > k_shown_warnings) text += fmt::format("\nand {} more, in the terminal", warnings.size() - k_shown_warnings);
   return text;
+}
+
+std::string drop_notice(std::span<const std::string> paths) {
+  if (paths.size() < 2) return {};
+  std::vector<std::string> others;
+  for (const std::string& path : paths.subspan(1, std::min(paths.size() - 1, k_shown_files))) others.push_back(file_name(path));
+  if (paths.size() > 1 + k_shown_files) others.push_back(fmt::format("{} more", paths.size() - 1 - k_shown_files));
+  return fmt::format("one scene at a time: {} is opened, not {}", file_name(paths.front()), fmt::join(others, ", "));
 }
 
 std::string picture_notice(const std::string& path, const PictureContent& content) {

@@ -32,6 +32,9 @@ class Notices {
 // How many warnings opening a scene gave, and the first ones; empty: none.
 std::string warnings_notice(const std::string& scene, std::span<const std::string> warnings);
 
+// Of several files that were dropped together; empty: one alone.
+std::string drop_notice(std::span<const std::string> paths);
+
 // What a picture holds, beside or instead of what is on screen.
 struct PictureContent {
   std::string drawn_over;         // what its command does not draw; empty: nothing

@@ -100,21 +100,23 @@ std::optional<Opened> Viewer::run() {
   return std::move(next_);
 }
 
-void Viewer::open(const std::string& scene) {
+bool Viewer::open(const std::string& scene) {
   if (opening_) {
     message_ = fmt::format("{} is still being opened", opening_->scene_name());
-    return;
+    return false;
   }
   if (outputs_.measuring()) {
     message_ = "a report is being measured; opening a scene would disturb its times: stop it first";
-    return;
+    return false;
   }
   message_.clear();
   opening_.emplace(state_for_scene(state_, scene));
+  return true;
 }
 
 void Viewer::follow_drops() {
-  if (!window_.dropped().empty()) open(window_.dropped().front());
+  const auto& dropped = window_.dropped();
+  if (!dropped.empty() && open(dropped.front())) workspace_.notices.add(drop_notice(dropped));
   if (!opening_ || !opening_->ready()) return;
   std::string problem;
   if (attempt(problem, [&] { next_.emplace(*opening_, screen_); })) {

@@ -68,7 +68,7 @@ class Viewer {
   uvec2 wanted_size() const;
   std::string command() const;  // `gnomon render ...` of the picture, without its output
   bool follow_size();  // whether the picture has another size
-  void open(const std::string& scene);
+  bool open(const std::string& scene);  // whether it is on its way; else the message says why not
   void follow_drops();
   void rebuild();
 
