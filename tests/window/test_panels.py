@@ -103,7 +103,9 @@ class Panels(WindowCase):
         self.assertIn("pcf.bilinear", keys)
         viewer.search("no such thing")
         self.assertEqual([name for name in viewer.widgets() if "." in name], [])
+        viewer.until_text("search", lambda text: text == "no parameter contains 'no such thing'")
         viewer.search("")
+        viewer.until(lambda status: "search" not in status["texts"], "no such text")
         viewer.rectangle("pcf.bilinear")
         viewer.rectangle("single.size")
         self.close(viewer)
@@ -142,6 +144,19 @@ class Panels(WindowCase):
         viewer.search("exposure")
         viewer.enter("frame.exposure", "2")
         viewer.until_command("--set frame.exposure=2")
+        self.close(viewer)
+
+    def test_without_a_sun_nothing_places_one(self):
+        viewer = self.open("lamps", *SMALL, "--technique", "single/hard,cube/hard", "--set", "single.size=128", "--set", "cube.size=128")
+        viewer.search("light.")
+        self.assertEqual([name for name in viewer.widgets() if name.startswith("light.")], ["light.intensity"])
+        viewer.enter("light.intensity", "500")
+        viewer.until_command("--set light.intensity=500")
+        viewer.click("light.intensity:reset")
+        viewer.until_command(without=["light.intensity"])
+        viewer.search("light.azimuth")
+        viewer.until_text("search", lambda text: "no parameter" in text)
+        self.assertEqual(viewer.status()["message"], "")
         self.close(viewer)
 
     def light_names(self, viewer):

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/viewer/attempt.h"
+#include "app/viewer/legend.h"
 #include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
 #include "base/log.h"
@@ -87,7 +88,7 @@ void Outputs::show_comparison(const ViewState& next, const Session& session) {
 void Outputs::show_progress() {
   ImGui::ProgressBar(static_cast<float>(comparison_.done()) / static_cast<float>(comparison_.steps()));
   ImGui::TextWrapped("%s", comparison_.command().c_str());
-  ImGui::TextDisabled("two pictures a second meanwhile, for the sake of the times");
+  remark("two pictures a second meanwhile, for the sake of the times");
   if (ImGui::Button("Stop")) comparison_.stop();
 }
 

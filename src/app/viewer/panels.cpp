@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
@@ -11,6 +12,8 @@
 
 namespace gnomon::viewer {
 namespace {
+
+using namespace std::string_view_literals;
 
 void wrapped(const std::string& text, float width) {
   ImGui::PushTextWrapPos(width);
@@ -35,6 +38,7 @@ void Panels::show(ViewState& state, Wishes& wishes, Session& session, const Tech
       editor_.search_field();
       technique_params(state, session, techniques.spec(light_));
       scene_params(state, session);
+      editor_.end_search();
       samples(state, session);
     }
   }
@@ -132,17 +136,22 @@ void Panels::samples(ViewState& state, const Session& session) {
 }
 
 void Panels::scene_params(ViewState& state, Session& session) {
+  const auto& lights = session.chosen_lights();
+  const bool any_sun = std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
   for (const char* id : {"light", "frame", "camera", "reference"}) {
     const ParamBlock& block = session.settings().block(id);
     // What the scene decides about its light and camera is where those started.
-    editor_.show(id, block, start_.block(id), [&](std::string_view name, const std::string* value) {
+    const auto change = [&](std::string_view name, const std::string* value) {
       const std::string key = fmt::format("{}.{}", id, name);
       if (value) {
         state.edits[key] = *value;
       } else {
         state.edits.erase(key);
       }
-    });
+    };
+    // Without a sun the rest of what places one is an error (choose_lights).
+    const auto offers = [&](std::string_view name) { return any_sun || id != "light"sv || name == "intensity"; };
+    editor_.show(id, block, start_.block(id), change, offers);
   }
 }
 

@@ -78,7 +78,7 @@ void Sides::show(ViewState& state, const Session& session, size_t light) {
 
 void Sides::show_reference() const {
   const ProgressiveReference::Answer* answer = reference_ ? reference_->answer() : nullptr;
-  const std::string text = answer && answer->complete ? fmt::format("{} rays", answer->samples)
+  const std::string text = answer && answer->complete ? fmt::format("{} ray{}", answer->samples, answer->samples == 1 ? "" : "s")
                            : answer                   ? fmt::format("{} of {} rays", answer->samples, reference_->samples())
                                                       : std::string("waits for a still view");
   const double share = answer && answer->complete ? 1.0 : reference_ ? reference_->share() : 0.0;
