@@ -11,6 +11,7 @@
 
 #include "app/viewer/attempt.h"
 #include "app/viewer/section.h"
+#include "app/viewer/start_settings.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 
@@ -67,7 +68,7 @@ Viewer::Viewer(Screen& screen, Opened opened, Workspace& workspace, const Viewer
       techniques_(std::move(opened.techniques)),
       rays_(session_->scene()),
       interface_(screen.interface),
-      panels_(session_->settings()),
+      panels_(start_settings(state_, session_->scene())),
       explain_(device_, interface_.render_pass(), workspace.explain, rays_),
       state_panels_(state_, workspace.scenes.of(state_.view.scene)),
       camera_(session_->camera(), session_->scene().bounds().radius()),
@@ -110,7 +111,8 @@ bool Viewer::open(const std::string& scene) {
     return false;
   }
   message_.clear();
-  opening_.emplace(state_for_scene(state_, scene));
+  // The scene that is shown is read again, and keeps all that the user made of it.
+  opening_.emplace(same_scene(scene, state_.view.scene) ? state_ : state_for_scene(state_, scene));
   return true;
 }
 
@@ -118,11 +120,16 @@ void Viewer::follow_drops() {
   const auto& dropped = window_.dropped();
   if (!dropped.empty() && open(dropped.front())) workspace_.notices.add(drop_notice(dropped));
   if (!opening_ || !opening_->ready()) return;
+  const std::string scene = opening_->scene_name();
+  const bool again = scene == state_.view.scene;
+  if (again) opening_->set_state(state_);  // the user may have gone on meanwhile
   std::string problem;
   if (attempt(problem, [&] { next_.emplace(*opening_, screen_); })) {
     outputs_.stop_clip();  // pictures of another scene may have another size
+    if (again) workspace_.notices.add(fmt::format("{} is read again: camera, lights and settings stay", scene));
   } else {
-    message_ = fmt::format("{} is not opened: {}", opening_->scene_name(), problem);
+    const bool names_it = problem.find(scene) != problem.npos;
+    message_ = fmt::format("{}not {}: {}", names_it ? "" : scene + " is ", again ? "read again" : "opened", problem);
   }
   opening_.reset();
 }
