@@ -5,6 +5,9 @@
 
 namespace gnomon {
 
+// The user's home; empty where there is none.
+std::filesystem::path home_folder();
+
 enum class UserFolder { cache, state };
 
 // This program's own: $XDG_CACHE_HOME/gnomon, or ~/.cache/gnomon; $XDG_STATE_HOME/gnomon, or ~/.local/state/gnomon. Empty where there is

@@ -8,7 +8,9 @@
 
 #include "app/viewer/comparison.h"
 #include "app/viewer/scene_work.h"
+#include "app/viewer/start_settings.h"
 #include "base/file.h"
+#include "scene/load.h"
 #include "support/temporary_folder.h"
 
 namespace gnomon::viewer {
@@ -83,6 +85,30 @@ TEST(SceneWorks, know_a_file_by_any_path_to_it) {
   SceneWorks works;
   EXPECT_EQ(&works.of((folder / "model.obj").string()), &works.of((folder / "sub" / ".." / "model.obj").string()));
   EXPECT_NE(&works.of((folder / "model.obj").string()), &works.of((folder / "other.obj").string()));
+}
+
+TEST(SceneWorks, know_that_a_scene_is_shown_already) {
+  EXPECT_TRUE(same_scene("courtyard", "courtyard"));
+  EXPECT_FALSE(same_scene("courtyard", "town"));
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path path = temporary.path() / "a.obj";
+  write_file(path, "v 0 0 0\n");
+  EXPECT_TRUE(same_scene(path.string(), std::filesystem::relative(path).string()));
+  EXPECT_FALSE(same_scene(path.string(), (temporary.path() / "b.obj").string()));
+}
+
+TEST(StartSettings, are_without_what_the_panels_changed) {
+  const Scene scene = load_scene("chart/slab", {});
+  ViewState state = state_of("chart/slab", "single/pcf", {});
+  state.base.assign("light.elevation=30");
+  state.base.assign("frame.exposure=2");
+  const double azimuth = start_settings(state, scene).block("light").number("azimuth");
+  state.edits = {{"light.azimuth", "77"}, {"light.elevation", "20"}, {"frame.exposure", "3"}, {"camera.vertical_fov", "99"}};
+  const Settings start = start_settings(state, scene);
+  EXPECT_EQ(start.block("light").number("azimuth"), azimuth) << "the scene's";
+  EXPECT_NEAR(start.block("light").number("elevation"), 30.0, 1e-4);
+  EXPECT_EQ(start.block("frame").number("exposure"), 2.0);
+  EXPECT_NE(start.block("camera").number("vertical_fov"), 99.0);
 }
 
 TEST(ViewState, goes_to_another_scene_without_what_is_of_the_old_one) {

@@ -13,7 +13,8 @@ import png  # noqa: E402  (of the picture tests)
 from display import wait_for
 
 # Names of keys that are not those of their character.
-KEYSYMS = {" ": "space", ".": "period", ",": "comma", "-": "minus", "_": "underscore", "/": "slash", "=": "equal", ":": "colon"}
+KEYSYMS = {" ": "space", ".": "period", ",": "comma", "-": "minus", "_": "underscore", "/": "slash", "=": "equal", ":": "colon",
+           "'": "apostrophe", "%": "percent"}
 WHEEL_UP, WHEEL_DOWN = 4, 5
 ICONIC_STATE = 3
 

@@ -105,7 +105,7 @@ class Compare(WindowCase):
         """Scores, exchange, and a second side that is chosen there."""
         viewer = self.open("chart/slab", *WIDE, "--technique", "single/hard", "--set", "single.size=32", "--split", "ray_traced")
         viewer.click("scores")
-        viewer.until_text("reference", lambda text: text.endswith("rays") and " of " not in text, 120)
+        viewer.until_text("reference", lambda text: text == "1 ray", 120)  # its sun has no size
         viewer.until_text("mae.first", lambda _: True)
         first, second = (float(viewer.until_text(f"mae.{side}", lambda _: True)) for side in ("first", "second"))
         self.assertGreater(first, 0.002)
@@ -121,6 +121,12 @@ class Compare(WindowCase):
         viewer.until(lambda status: "divider" not in status["widgets"], "no divider")
         viewer.choose("second_side", "other settings")
         viewer.click("second_as_first")
+        viewer.until_text("sides", lambda text: text == "single/hard | single/hard")
+        viewer.choose("second_technique", "single/pcf")
+        viewer.until_text("sides", lambda text: text == "single/hard | single/pcf")
+        viewer.until_text("mae.second", lambda text: text != viewer.text("mae.first"), 60)
+        self.assertIn("--technique single/hard ", viewer.status()["command"])
+        viewer.choose("second_technique", "single/hard")
         viewer.until_text("sides", lambda text: text == "single/hard | single/hard")
         # The lights are those of both sides.
         viewer.search("light.elevation")

@@ -1,4 +1,5 @@
 """Files dragged from elsewhere onto the window."""
+import base64
 import contextlib
 import json
 import os
@@ -6,8 +7,9 @@ import struct
 import threading
 import unittest
 
-from case import QUICK, WindowCase
+from case import QUICK, WindowCase, png
 from drop import DragSource
+from viewer import difference
 
 
 def boxes_obj():
@@ -19,10 +21,13 @@ def boxes_obj():
     return "\n".join(lines) + "\n"
 
 
-def tile_glb():
-    """Two triangles as binary glTF."""
-    data = struct.pack("<12f", -1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
-    gltf = {
+def tile_data():
+    return struct.pack("<12f", -1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+
+
+def tile_gltf(buffer):
+    """Two triangles."""
+    return {
         "asset": {"version": "2.0"},
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0}],
@@ -30,12 +35,28 @@ def tile_glb():
         "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, 0, -1], "max": [1, 0, 1]},
                       {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
         "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
-        "buffers": [{"byteLength": len(data)}],
+        "buffers": [buffer],
     }
-    text = json.dumps(gltf).encode()
+
+
+def tile_glb():
+    """The same as binary glTF."""
+    data = tile_data()
+    text = json.dumps(tile_gltf({"byteLength": len(data)})).encode()
     text += b" " * (-len(text) % 4)
     chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def lit_gltf(light_name):
+    """The tile, under a point light of that name."""
+    address = "data:application/octet-stream;base64," + base64.b64encode(tile_data()).decode()
+    gltf = tile_gltf({"byteLength": len(tile_data()), "uri": address})
+    gltf["extensionsUsed"] = ["KHR_lights_punctual"]
+    gltf["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "point", "name": light_name, "intensity": 50}]}}
+    gltf["nodes"].append({"translation": [0, 2, 0], "name": light_name, "extensions": {"KHR_lights_punctual": {"light": 0}}})
+    gltf["scenes"] = [{"nodes": [0, 1]}]
+    return json.dumps(gltf)
 
 
 class Drop(WindowCase):
@@ -44,8 +65,8 @@ class Drop(WindowCase):
         self.source = DragSource(self.desktop)
         self.addCleanup(self.source.close)
 
-    def drop(self, viewer, path):
-        self.assertTrue(self.source.drop(viewer.window, [path], 500, 200))
+    def drop(self, viewer, *paths):
+        self.assertTrue(self.source.drop(viewer.window, paths, 500, 200))
 
     def test_files_and_the_list_of_the_recent_ones(self):
         obj, glb = self.folder / "two boxes.obj", self.folder / "tile.glb"  # a blank: the address of a file writes it as %20
@@ -73,6 +94,69 @@ class Drop(WindowCase):
         viewer.until(lambda status: obj.name in status["command"], "the file from the list")
         viewer.choose("scene", "chart/sphere")
         viewer.until(lambda status: "render chart/sphere" in status["command"], "a built-in scene")
+        self.close(viewer)
+
+    def test_several_files_at_once(self):
+        first, second = self.good_one(), self.folder / "tile.glb"
+        second.write_bytes(tile_glb())
+        viewer = self.open("chart/slab", *QUICK)
+        self.drop(viewer, first, second)
+        viewer.until_text("notice", lambda text: text == "one scene at a time: good.obj is opened, not tile.glb")
+        viewer.until(lambda status: first.name in status["command"], "the first of them")
+        self.assertIn("not tile.glb", viewer.until_text("notice", lambda _: True), "still there in the new scene")
+        self.close(viewer)
+
+    def test_the_shown_file_is_read_again(self):
+        path = self.folder / "house.obj"
+        path.write_text(boxes_obj(), encoding="utf-8")
+        viewer = self.open(path.name, *QUICK)  # the list and drops have the whole path
+        viewer.hold("d")
+        viewer.search("light.elevation")
+        viewer.enter("light.elevation", "25")
+        kept = viewer.until_command("--set light.elevation=25")["command"]
+        before = self.render(kept, self.folder / "before.png")
+        path.write_text(boxes_obj().split("o box")[0], encoding="utf-8")  # the floor alone
+        self.drop(viewer, path)
+        viewer.until_text("notice", lambda text: "house.obj is read again" in text)
+        viewer.frames(3)
+        self.assertEqual(viewer.status()["command"], kept)
+        viewer.press("F12")
+        viewer.wait(lambda: viewer.stdout().endswith("\n"), "the picture")
+        self.assertGreater(difference(png.read(self.folder / "gnomon_0000.png"), before), 0.5, "the changed file")
+        viewer.search("light.elevation")
+        viewer.click("light.elevation:reset")
+        viewer.until_command(without=["light.elevation"])
+        # What does not fit any more.
+        path.write_text("v nonsense\n", encoding="utf-8")
+        viewer.choose("scene", str(path))
+        said = viewer.until(lambda status: status["message"], "a message")["message"]
+        self.assertRegex(said, r"^not read again: house.obj:1")
+        self.assertIn("render house.obj", viewer.status()["command"])
+        self.close(viewer)
+
+    def test_what_is_kept_must_fit(self):
+        path = self.folder / "lit.gltf"
+        path.write_text(lit_gltf("lamp"), encoding="utf-8")
+        viewer = self.open(path, *QUICK, "--light", "lamp", "--technique", "cube/hard", "--set", "cube.size=128")
+        path.write_text(lit_gltf("torch"), encoding="utf-8")
+        self.drop(viewer, path)
+        said = viewer.until(lambda status: status["message"], "a message")["message"]
+        for text in ("not read again", "--light lamp", "torch"):
+            self.assertIn(text, said)
+        self.assertIn("--light lamp", viewer.status()["command"])
+        self.close(viewer)
+
+    def test_pasted_paths(self):
+        path = self.folder / "two boxes.obj"
+        path.write_text(boxes_obj(), encoding="utf-8")
+        viewer = self.open("chart/slab", *QUICK)
+        for text in (f"'{path}' ", path.as_uri()):
+            viewer.fill("scene_path", text)
+            viewer.press("Return")
+            viewer.until(lambda status: path.name in status["command"], "the file")
+            self.assertEqual(self.desktop.title(viewer.window), f"gnomon: {path}")
+            viewer.choose("scene", "chart/slab")
+            viewer.until(lambda status: "render chart/slab" in status["command"], "the first scene")
         self.close(viewer)
 
     def test_progress(self):
@@ -124,6 +208,7 @@ class Drop(WindowCase):
         self.drop(viewer, path)
         said = viewer.until(lambda status: status["message"], "a message")["message"]
         self.assertIn("broken file.obj:3", said, "the file, and the line")
+        self.assertEqual(said.count("broken file.obj"), 1, said)
         self.drop(viewer, strange)
         viewer.until(lambda status: "notes.txt" in status["message"], "what is wrong with the other file")
         self.assertIn("gnomon render chart/slab", viewer.status()["command"])

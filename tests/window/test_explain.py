@@ -99,18 +99,38 @@ class Explain(WindowCase):
         picked("reference", "cascaded/pcf")
         self.close(viewer)
 
-    def test_a_picture_with_an_overlay_says_that_its_command_has_none(self):
+    def taken(self, key="F12"):
+        """What is said of a picture that is taken now."""
+        before = self.viewer.stdout().count("\n")
+        self.viewer.press("F12") if key == "F12" else self.viewer.click(key)
+        self.viewer.wait(lambda: self.viewer.stdout().count("\n") == before + 1, "the picture")
+        name = self.viewer.stdout().splitlines()[-1]
+        said = self.viewer.until_text("notice", lambda text: name in text)
+        self.assertEqual(self.viewer.status()["message"], "")
+        self.assertIn("notice", self.viewer.widgets())
+        self.assertNotIn("message", self.viewer.widgets())
+        return said.splitlines()[-1]
+
+    def test_a_picture_says_what_it_holds(self):
         viewer = self.viewer
-        viewer.press("F12")
-        viewer.wait(lambda: viewer.stdout().count("\n") == 1, "the picture")
-        self.assertIsNone(viewer.text("notice"))
+        self.assertEqual(self.taken(), "gnomon_0000.png is written")
+        viewer.until(lambda status: "notice" not in status["texts"], "no notice: it goes by itself", 20)
         viewer.press("v")
         viewer.until_text("overlay", lambda text: text.startswith("layers"))
-        viewer.press("F12")
-        self.assertRegex(viewer.until_text("notice", lambda _: True), r"^gnomon_0001.png also shows the overlay 'layers.*not draw$")
-        self.assertEqual(viewer.status()["message"], "")
-        self.assertIn("notice", viewer.widgets())
-        self.assertNotIn("message", viewer.widgets())
+        self.assertRegex(self.taken(), r"^gnomon_0001.png is written; it also shows the overlay 'layers.*not draw$")
+        viewer.section("Compare")
+        viewer.click("error")
+        viewer.until_text("reference", lambda text: " of " not in text and "ray" in text, 120)
+        viewer.frames(3)
+        self.assertRegex(self.taken(), r"it also shows the error, and in grey below it the overlay 'layers.*not draw$")
+        viewer.choose("second_side", "reference")
+        viewer.until_text("sides", lambda text: "waits" not in text)
+        self.assertRegex(self.taken(), r"^gnomon_0003.png is written, of the first side alone; it also shows the error")
+        viewer.click("error")
+        viewer.choose("second_side", "none")
+        viewer.section("Compare")
+        viewer.section("Pictures, clips, reports")
+        self.assertEqual(self.taken("picture_exr"), "gnomon_0000.exr is written", "nothing lies over linear values")
         self.close(viewer)
 
     def test_map(self):
@@ -148,6 +168,30 @@ class Explain(WindowCase):
         viewer.press("o")
         viewer.until_text("orbit", lambda text: text == "on")
         self.close(viewer)
+
+
+class SeveralLights(WindowCase):
+    def test_it_is_said_which_light_is_meant(self):
+        small = ["--set", "cube.size=128", "--set", "single.size=128"]
+        viewer = self.open("lamps", *WIDE, "--light", "all", "--technique", "single/hard,cube/hard", *small, "--split", "ray_traced", "--error")
+        lights = self.names(viewer, "light")
+        self.assertGreater(len(lights), 1)
+        for name in (lights[1], lights[0]):
+            viewer.choose("light", name)
+            viewer.until_text("scored_light", lambda text, name=name: text == name)
+        viewer.click_at(480, 420, MIDDLE)
+        viewer.until_text("picked_light", lambda text: text == lights[0])
+        viewer.section("Compare")
+        viewer.section("Explain")
+        viewer.choose("explained_light", lights[1])
+        viewer.until_text("picked_light", lambda text: text == lights[1])
+        self.close(viewer)
+
+    def names(self, viewer, widget):
+        viewer.click(widget)
+        names = viewer.entries(widget)
+        viewer.press("Escape")
+        return names
 
 
 if __name__ == "__main__":

@@ -103,9 +103,27 @@ class Panels(WindowCase):
         self.assertIn("pcf.bilinear", keys)
         viewer.search("no such thing")
         self.assertEqual([name for name in viewer.widgets() if "." in name], [])
+        viewer.until_text("search", lambda text: text == "no parameter contains 'no such thing'")
         viewer.search("")
+        viewer.until(lambda status: "search" not in status["texts"], "no such text")
         viewer.rectangle("pcf.bilinear")
         viewer.rectangle("single.size")
+        self.close(viewer)
+
+    def test_escape_closes_a_list(self):
+        viewer = self.open(SCENE, *PCF)
+        viewer.search("pcf.kernel")
+        begin = viewer.status()
+        for name in ("scene", "technique", "pcf.kernel"):
+            viewer.click(name)
+            viewer.entries(name)
+            viewer.press("Escape")
+            viewer.until(lambda status, name=name: not any(other.startswith(name + ":") for other in status["widgets"]), f"no list of '{name}'")
+        viewer.press("Escape")  # nothing is open: nothing happens
+        status = viewer.status()
+        self.assertEqual([status[key] for key in ("command", "camera", "message")], [begin[key] for key in ("command", "camera", "message")])
+        viewer.hold("w")  # and keys walk
+        self.assertNotEqual(viewer.status()["camera"], begin["camera"])
         self.close(viewer)
 
     def test_technique(self):
@@ -128,11 +146,23 @@ class Panels(WindowCase):
         viewer.until_command("--set frame.exposure=2")
         self.close(viewer)
 
+    def test_without_a_sun_nothing_places_one(self):
+        viewer = self.open("lamps", *SMALL, "--technique", "single/hard,cube/hard", "--set", "single.size=128", "--set", "cube.size=128")
+        viewer.search("light.")
+        self.assertEqual([name for name in viewer.widgets() if name.startswith("light.")], ["light.intensity"])
+        viewer.enter("light.intensity", "500")
+        viewer.until_command("--set light.intensity=500")
+        viewer.click("light.intensity:reset")
+        viewer.until_command(without=["light.intensity"])
+        viewer.search("light.azimuth")
+        viewer.until_text("search", lambda text: "no parameter" in text)
+        self.assertEqual(viewer.status()["message"], "")
+        self.close(viewer)
+
     def light_names(self, viewer):
         viewer.click("light")
         names = viewer.entries("light")
         viewer.press("Escape")
-        viewer.click_at(630, 390)  # beside the list: it closes
         return names
 
 

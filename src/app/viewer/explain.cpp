@@ -43,6 +43,12 @@ void crosshair(const vec2& at) {
   }
 }
 
+// Empty where the frame has no other light.
+std::string name_among_several(Session& session, size_t light) {
+  const auto lights = session.frame().lights();
+  return lights.size() > 1 ? lights[light].name : std::string();
+}
+
 vec2 screen_size() { return {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y}; }
 
 }  // namespace
@@ -73,7 +79,8 @@ void Explain::show(Session& session, const TechniqueSet& techniques) {
     show_pick_window(*picked_, open);
     if (!open) place_.reset(), picked_.reset();
   }
-  if (options_.map_open) map_pane_.show(techniques.techniques()[light_]->shadow_map(), options_.map_layer, options_.map_open);
+  if (!options_.map_open) return;
+  map_pane_.show(techniques.techniques()[light_]->shadow_map(), name_among_several(session, light_), options_.map_layer, options_.map_open);
 }
 
 void Explain::handle_keys(const Window& window) {
@@ -105,11 +112,16 @@ void Explain::panel(Session& session, const TechniqueSet& techniques) {
   if (begin_section("Explain", options_.lines || options_.overlay != k_overlay_none)) {
     const auto lights = session.frame().lights();
     const auto light_label = [&](size_t i) { return fmt::format("{}##{}", lights[i].name, i); };
-    if (lights.size() > 1 && ImGui::BeginCombo("of light", light_label(light_).c_str())) {
-      for (size_t i = 0; i < lights.size(); ++i) {
-        if (ImGui::Selectable(light_label(i).c_str(), i == light_)) light_ = i;
+    if (lights.size() > 1) {
+      if (ImGui::BeginCombo("of light", light_label(light_).c_str())) {
+        for (size_t i = 0; i < lights.size(); ++i) {
+          if (ImGui::Selectable(light_label(i).c_str(), i == light_)) light_ = i;
+          note_widget("explained_light", lights[i].name);
+        }
+        ImGui::EndCombo();
+      } else {
+        note_widget("explained_light");
       }
-      ImGui::EndCombo();
     }
     const bool has_map = techniques.techniques()[light_]->shadow_map().has_value();
     if (ImGui::BeginCombo("overlay (V)", overlay_title(options_.overlay))) {
@@ -200,6 +212,7 @@ void Explain::collect(Session& session, const TechniqueSet& techniques, size_t s
   picked.pixel = pixel(session);
   picked.side = picked_side();
   picked.light = light_;
+  picked.light_name = name_among_several(session, light_);
   picked.technique = spec.name;
   const PickRecord& record = picked.facts.record = explainer_.picked();
   if (const auto map = techniques.techniques()[light_]->shadow_map()) {

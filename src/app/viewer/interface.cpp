@@ -2,6 +2,7 @@
 #include "app/viewer/interface.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -183,6 +184,12 @@ void Interface::draw(VkCommandBuffer commands, VkFramebuffer framebuffer, uvec2 
   const auto cleared = clear_backgrounds(*ImGui::GetDrawData(), size);
   ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), commands);
   vkCmdEndRenderPass(commands);
+}
+
+// ImGui closes popups by Escape only where keys also move between widgets, which here walk.
+void Interface::close_popup() {
+  const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+  if (open > 0) ImGui::ClosePopupToLevel(open - 1, true);
 }
 
 bool Interface::takes_keys() const { return ImGui::GetIO().WantTextInput; }

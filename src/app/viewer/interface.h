@@ -22,6 +22,9 @@ class Interface {
   // Draws them onto the image of a framebuffer, which is and stays in ATTACHMENT_OPTIMAL.
   void draw(VkCommandBuffer commands, VkFramebuffer framebuffer, uvec2 size);
 
+  // The list or popup that was opened last; nothing where none is open.
+  void close_popup();
+
   // Whether a text field or a panel takes the keys or the mouse, so that the camera does not.
   bool takes_keys() const;
   bool takes_mouse() const;

@@ -69,9 +69,10 @@ MapProbe MapPane::probe() const {
   return probe;
 }
 
-void MapPane::show(const std::optional<ShadowMapView>& map, uint32_t& layer, bool& open) {
+void MapPane::show(const std::optional<ShadowMapView>& map, const std::string& light_name, uint32_t& layer, bool& open) {
   appear_at(places_on_screen().map);
-  shown_ = ImGui::Begin("shadow map", &open) && map;
+  // The part behind ### is the window's identity, whatever light it shows.
+  shown_ = ImGui::Begin(fmt::format("shadow map{}{}###map", light_name.empty() ? "" : " of ", light_name).c_str(), &open) && map;
   if (!map) ImGui::TextDisabled("this technique has no map");
   if (shown_) {
     note_window("map_window");

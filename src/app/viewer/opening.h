@@ -27,6 +27,8 @@ class Opening {
   // Once it is ready. Throws what loading threw.
   std::unique_ptr<Session> finish(Device& device, uvec2 size);
   ViewState state() const { return state_; }
+  // Once it is ready: what the same scene is to be shown with instead.
+  void set_state(ViewState state) { state_ = std::move(state); }
   // Of loading and of what came since.
   std::vector<std::string> warnings() const { return warnings_.texts(); }
 

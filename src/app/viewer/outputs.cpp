@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "app/viewer/attempt.h"
-#include "app/viewer/notice.h"
+#include "app/viewer/legend.h"
 #include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
 #include "base/log.h"
@@ -88,12 +88,12 @@ void Outputs::show_comparison(const ViewState& next, const Session& session) {
 void Outputs::show_progress() {
   ImGui::ProgressBar(static_cast<float>(comparison_.done()) / static_cast<float>(comparison_.steps()));
   ImGui::TextWrapped("%s", comparison_.command().c_str());
-  ImGui::TextDisabled("two pictures a second meanwhile, for the sake of the times");
+  remark("two pictures a second meanwhile, for the sake of the times");
   if (ImGui::Button("Stop")) comparison_.stop();
 }
 
-void Outputs::take(const ViewState& state, Session& session, const std::string& drawn_over, std::string& notice) {
-  if (!wanted_.empty()) picture(state, session, drawn_over, notice);
+void Outputs::take(const ViewState& state, Session& session, const PictureContent& content, Notices& notices) {
+  if (!wanted_.empty()) picture(state, session, content, notices);
   if (clip_.running()) clip_.add(session.frame().read_display());
 }
 
@@ -105,7 +105,7 @@ void Outputs::update() {
   }
 }
 
-void Outputs::picture(const ViewState& state, Session& session, const std::string& drawn_over, std::string& notice) {
+void Outputs::picture(const ViewState& state, Session& session, PictureContent content, Notices& notices) {
   const std::filesystem::path path = free_name("gnomon", std::exchange(wanted_, {}));
   const bool written = attempt(message_, [&] {
     path.extension() == ".exr" ? write_exr(path, session.frame().read_linear()) : write_png(path, session.frame().read_display());
@@ -114,9 +114,10 @@ void Outputs::picture(const ViewState& state, Session& session, const std::strin
   std::cout << path.string() << std::endl;
   log_info("{} -o {}", state.command(session.options().size), shell_quoted(path.string()));
   // Scene-linear values have nothing drawn over them.
-  if (drawn_over.empty() || path.extension() == ".exr") return;
-  notice = picture_notice(path.string(), drawn_over);
-  log_info("{}", notice);
+  if (path.extension() == ".exr") content.drawn_over.clear();
+  const std::string notice = picture_notice(path.string(), content);
+  notices.add(notice);
+  if (!content.drawn_over.empty() || content.first_side_alone) log_info("{}", notice);
 }
 
 }  // namespace gnomon::viewer

@@ -6,6 +6,7 @@
 #include "app/viewer/background.h"
 #include "app/viewer/clip.h"
 #include "app/viewer/comparison.h"
+#include "app/viewer/notice.h"
 
 namespace gnomon::viewer {
 
@@ -17,9 +18,8 @@ class Outputs {
   void show(const ViewState& next, const Session& session);
   // Of the picture without interface, in its own size: ".png" (display values) or ".exr" (scene-linear). In force after the frame.
   void want_picture(const std::string& extension) { wanted_ = extension; }
-  // After each frame: takes it where a picture or a clip wants it. `drawn_over`: what lies on the picture that its command does not draw; a
-  // picture says so in `notice`.
-  void take(const ViewState& state, Session& session, const std::string& drawn_over, std::string& notice);
+  // After each frame: takes it where a picture or a clip wants it. A picture that is written is told in `notices`, with its `content`.
+  void take(const ViewState& state, Session& session, const PictureContent& content, Notices& notices);
   // Goes on with a report, and learns what could not be written; also while the window is minimised.
   void update();
 
@@ -35,7 +35,7 @@ class Outputs {
   std::string& message() { return message_; }
 
  private:
-  void picture(const ViewState& state, Session& session, const std::string& drawn_over, std::string& notice);
+  void picture(const ViewState& state, Session& session, PictureContent content, Notices& notices);
   void show_clip();
   void show_comparison(const ViewState& next, const Session& session);
   void show_progress();

@@ -4,12 +4,16 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "app/viewer/section.h"
 #include "app/viewer/status_file.h"
+#include "app/viewer/technique_list.h"
 
 namespace gnomon::viewer {
 namespace {
+
+using namespace std::string_view_literals;
 
 void wrapped(const std::string& text, float width) {
   ImGui::PushTextWrapPos(width);
@@ -35,6 +39,7 @@ void Panels::show(ViewState& state, Wishes& wishes, Session& session, const Tech
       editor_.search_field();
       technique_params(state, session, techniques.spec(light_));
       scene_params(state, session);
+      editor_.end_search();
       samples(state, session);
     }
   }
@@ -94,20 +99,8 @@ void Panels::technique(ViewState& state, Session& session, const TechniqueSet& t
   }
   const TechniqueSpec& shown = techniques.spec(light_);
   ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::BeginCombo("##technique", shown.name.c_str(), ImGuiComboFlags_HeightLargest)) {
-    for (const TechniqueSpec& spec : all_techniques()) {
-      if (!spec.supports(lights[light_].kind)) continue;
-      if (ImGui::Selectable(spec.name.c_str(), &spec == &shown)) state.choose_technique(spec, lights[light_].kind, lights);
-      note_widget("technique", spec.name);
-      if (!ImGui::IsItemHovered()) continue;
-      ImGui::BeginTooltip();
-      wrapped(spec.summary, ImGui::GetFontSize() * 30.0f);
-      ImGui::EndTooltip();
-    }
-    ImGui::EndCombo();
-  } else {
-    note_widget("technique");
-  }
+  const LightKind kind = lights[light_].kind;
+  if (const TechniqueSpec* chosen = show_technique_list("##technique", "technique", &shown, kind)) state.choose_technique(*chosen, kind, lights);
   if (ImGui::TreeNode("manual page")) {
     wrapped(shown.manual, 0.0f);
     ImGui::TreePop();
@@ -144,22 +137,27 @@ void Panels::samples(ViewState& state, const Session& session) {
 }
 
 void Panels::scene_params(ViewState& state, Session& session) {
+  const auto& lights = session.chosen_lights();
+  const bool any_sun = std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
   for (const char* id : {"light", "frame", "camera", "reference"}) {
     const ParamBlock& block = session.settings().block(id);
     // What the scene decides about its light and camera is where those started.
-    editor_.show(id, block, start_.block(id), [&](std::string_view name, const std::string* value) {
+    const auto change = [&](std::string_view name, const std::string* value) {
       const std::string key = fmt::format("{}.{}", id, name);
       if (value) {
         state.edits[key] = *value;
       } else {
         state.edits.erase(key);
       }
-    });
+    };
+    // Without a sun the rest of what places one is an error (choose_lights).
+    const auto offers = [&](std::string_view name) { return any_sun || id != "light"sv || name == "intensity"; };
+    editor_.show(id, block, start_.block(id), change, offers);
   }
 }
 
-void Panels::show_message(std::string& text, MessageKind kind) const {
-  if (text.empty()) return;
+bool Panels::show_message(const std::string& text, MessageKind kind) {
+  if (text.empty()) return false;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * screen.x, screen.y - 8.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowSize({0.9f * screen.x, 0.0f});
@@ -167,7 +165,9 @@ void Panels::show_message(std::string& text, MessageKind kind) const {
   bool open = true;
   // The part behind ### is the window's identity.
   const char* title = failed ? "not possible; what was shown before is still shown###failure" : "notice###notice";
-  if (ImGui::Begin(title, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse)) {
+  // A notice takes nothing from the user: no list closes, and no field loses the keyboard.
+  const ImGuiWindowFlags focus = failed ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoFocusOnAppearing;
+  if (ImGui::Begin(title, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | focus)) {
     note_window(failed ? "message" : "notice");
     note_text(failed ? "failure" : "notice", text);
     if (failed) ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.6f, 0.5f, 1.0f});
@@ -175,7 +175,7 @@ void Panels::show_message(std::string& text, MessageKind kind) const {
     if (failed) ImGui::PopStyleColor();
   }
   ImGui::End();
-  if (!open) text.clear();
+  return !open;
 }
 
 }  // namespace gnomon::viewer

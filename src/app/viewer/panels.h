@@ -30,8 +30,8 @@ class Panels {
 
   // Changes `state` and `wishes` as the user wants them; the session still shows the old state.
   void show(ViewState& state, Wishes& wishes, Session& session, const TechniqueSet& techniques);
-  // A box over the picture, until the user closes it or `text` is empty.
-  void show_message(std::string& text, MessageKind kind) const;
+  // A box over the picture, where there is a text. True when the user closes it.
+  static bool show_message(const std::string& text, MessageKind kind);
   size_t light() const { return light_; }  // whose technique is shown
   void set_speed(float speed_m_s) { speed_m_s_ = speed_m_s; }
   void set_map_divisor(uint32_t divisor) { map_divisor_ = divisor; }  // of maps while the view moves

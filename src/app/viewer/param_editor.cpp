@@ -4,7 +4,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <vector>
 
+#include "app/viewer/legend.h"
 #include "app/viewer/status_file.h"
 
 namespace gnomon::viewer {
@@ -64,23 +66,32 @@ std::string text_of(const ParamInfo& info, double value) {
 }  // namespace
 
 void ParamEditor::search_field() {
+  any_found_ = false;
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputTextWithHint("##search", "search the parameters", search_, sizeof search_);
   note_widget("search");
+}
+
+void ParamEditor::end_search() const {
+  if (any_found_) return;
+  const std::string text = fmt::format("no parameter contains '{}'", search_);
+  note_text("search", text);
+  remark(text.c_str());
 }
 
 bool ParamEditor::found(const std::string& key, const ParamInfo& info) const {
   return key.find(search_) != key.npos || info.help.find(search_) != info.help.npos;
 }
 
-void ParamEditor::show(const std::string& id, const ParamBlock& block, const ParamBlock& starts, const Change& change) {
-  bool any = false;
-  for (const ParamInfo& info : block.table()) any = any || found(fmt::format("{}.{}", id, info.name), info);
-  if (!any || !ImGui::TreeNodeEx(id.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
+void ParamEditor::show(const std::string& id, const ParamBlock& block, const ParamBlock& starts, const Change& change, const Offers& offers) {
+  std::vector<const ParamInfo*> shown;
   for (const ParamInfo& info : block.table()) {
-    const std::string key = fmt::format("{}.{}", id, info.name);
-    if (found(key, info)) row(key, info, block, starts, change);
+    if ((!offers || offers(info.name)) && found(fmt::format("{}.{}", id, info.name), info)) shown.push_back(&info);
   }
+  if (shown.empty()) return;
+  any_found_ = true;
+  if (!ImGui::TreeNodeEx(id.c_str(), ImGuiTreeNodeFlags_DefaultOpen)) return;
+  for (const ParamInfo* info : shown) row(fmt::format("{}.{}", id, info->name), *info, block, starts, change);
   ImGui::TreePop();
 }
 

@@ -145,9 +145,11 @@ void show_pick_window(const Picked& picked, bool& open) {
     note_text("picked", fmt::format("{}, {}", picked.pixel.x, picked.pixel.y));
     note_text("reason", picked.reason.text);
     ImGui::PopStyleColor();
+    note_text("picked_light", picked.light_name);
     if (record.seen != 0 && ImGui::BeginTable("point", 2, ImGuiTableFlags_RowBg)) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 11.0f * ImGui::GetFontSize());
       ImGui::TableSetupColumn("value");
+      if (!picked.light_name.empty()) row("light", picked.light_name);
       row("light that arrives", fmt::format("{:.3f}", record.answer));
       const auto known = [](const std::optional<float>& value) {
         return value ? fmt::format("{:.3f}", *value) : std::string("not yet known");

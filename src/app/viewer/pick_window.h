@@ -18,6 +18,7 @@ struct Picked {
   uvec2 pixel = uvec2(0);
   PickedSide side = PickedSide::only;
   size_t light = 0;  // of the frame
+  std::string light_name;  // empty where the frame has no other
   PickFacts facts;
   Reason reason;
   std::string object;  // name

@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "app/viewer/status_file.h"
+#include "app/viewer/typed_scene.h"
+#include "base/user_folder.h"
 #include "scene/load.h"
 
 namespace gnomon::viewer {
@@ -31,7 +33,7 @@ std::optional<std::string> ScenePanel::show(const std::string& shown_scene, cons
   const bool entered = ImGui::InputTextWithHint("##path", "path of an .obj, .gltf, .glb; or drop one", path_, sizeof path_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   note_widget("scene_path");
-  if (entered && path_[0]) wanted = path_;
+  if (const std::string typed = typed_scene(path_, home_folder()); entered && !typed.empty()) wanted = typed;
   return wanted;
 }
 

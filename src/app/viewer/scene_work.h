@@ -15,9 +15,12 @@ struct SceneWork {
   std::vector<Recording> paths;  // recorded or loaded
 };
 
+// Built-in names or paths; two paths of one file are one scene.
+bool same_scene(const std::string& a, const std::string& b);
+
 class SceneWorks {
  public:
-  // `scene`: a built-in name or a path; two paths of one file are one scene. It stays where it is while others are added.
+  // The scene's; it stays where it is while others are added.
   SceneWork& of(const std::string& scene);
 
  private:

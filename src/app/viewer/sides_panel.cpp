@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "app/viewer/sides.h"
 #include "app/viewer/status_file.h"
+#include "app/viewer/technique_list.h"
 
 namespace gnomon::viewer {
 
@@ -46,6 +48,13 @@ void Sides::show(ViewState& state, const Session& session, size_t light) {
       techniques_.clear();
     }
     note_widget("exchange");
+    const auto lights = std::span(session.chosen_lights());
+    const LightKind kind = lights[light_].kind;
+    const std::string label = lights.size() > 1 ? fmt::format("for {}", lights[light_].name) : "technique";
+    ImGui::SetNextItemWidth(0.6f * ImGui::GetContentRegionAvail().x);
+    const TechniqueSpec* chosen =
+        show_technique_list((label + "###second_technique").c_str(), "second_technique", technique_for(choice_.other.techniques, kind), kind);
+    if (chosen) choice_.other.choose_technique(*chosen, kind, lights);
   }
   ImGui::Checkbox("error over the picture (X)", &choice_.error);
   note_widget("error");
@@ -58,12 +67,18 @@ void Sides::show(ViewState& state, const Session& session, size_t light) {
   }
   if (!wants_reference()) return;
   show_reference();
+  if (session.chosen_lights().size() > 1 && (choice_.error || choice_.scores)) {
+    // Each light has a mask; the picture shows all of them.
+    const std::string& name = session.chosen_lights()[light_].name;
+    note_text("scored_light", name);
+    ImGui::TextWrapped("error and scores: of the light '%s', as chosen in Technique", name.c_str());
+  }
   show_scores();
 }
 
 void Sides::show_reference() const {
   const ProgressiveReference::Answer* answer = reference_ ? reference_->answer() : nullptr;
-  const std::string text = answer && answer->complete ? fmt::format("{} rays", answer->samples)
+  const std::string text = answer && answer->complete ? fmt::format("{} ray{}", answer->samples, answer->samples == 1 ? "" : "s")
                            : answer                   ? fmt::format("{} of {} rays", answer->samples, reference_->samples())
                                                       : std::string("waits for a still view");
   const double share = answer && answer->complete ? 1.0 : reference_ ? reference_->share() : 0.0;

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "app/viewer/attempt.h"
-#include "app/viewer/notice.h"
 #include "app/viewer/section.h"
+#include "app/viewer/start_settings.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 
@@ -69,7 +69,7 @@ Viewer::Viewer(Screen& screen, Opened opened, Workspace& workspace, const Viewer
       techniques_(std::move(opened.techniques)),
       rays_(session_->scene()),
       interface_(screen.interface),
-      panels_(session_->settings()),
+      panels_(start_settings(state_, session_->scene())),
       explain_(device_, interface_.render_pass(), workspace.explain, rays_),
       state_panels_(state_, workspace.scenes.of(state_.view.scene)),
       camera_(session_->camera(), session_->scene().bounds().radius()),
@@ -78,7 +78,7 @@ Viewer::Viewer(Screen& screen, Opened opened, Workspace& workspace, const Viewer
       render_scale_(wishes_.target_ms, device_.info().software ? k_software_start : 1.0f),
       last_window_(screen.window.size()),
       last_frame_(std::chrono::steady_clock::now()) {
-  notice_ = warnings_notice(state_.view.scene, opened.warnings);
+  workspace_.notices.add(warnings_notice(state_.view.scene, opened.warnings), k_long_notice_s);
   if (!session_->scene().source.empty()) workspace_.recent.add(session_->scene().source);
   window_.set_title("gnomon: " + state_.view.scene);
 }
@@ -103,27 +103,35 @@ std::optional<Opened> Viewer::run() {
   return std::move(next_);
 }
 
-void Viewer::open(const std::string& scene) {
+bool Viewer::open(const std::string& scene) {
   if (opening_) {
     message_ = fmt::format("{} is still being opened", opening_->scene_name());
-    return;
+    return false;
   }
   if (outputs_.measuring()) {
     message_ = "a report is being measured; opening a scene would disturb its times: stop it first";
-    return;
+    return false;
   }
   message_.clear();
-  opening_.emplace(state_for_scene(state_, scene));
+  // The scene that is shown is read again, and keeps all that the user made of it.
+  opening_.emplace(same_scene(scene, state_.view.scene) ? state_ : state_for_scene(state_, scene));
+  return true;
 }
 
 void Viewer::follow_drops() {
-  if (!window_.dropped().empty()) open(window_.dropped().front());
+  const auto& dropped = window_.dropped();
+  if (!dropped.empty() && open(dropped.front())) workspace_.notices.add(drop_notice(dropped));
   if (!opening_ || !opening_->ready()) return;
+  const std::string scene = opening_->scene_name();
+  const bool again = scene == state_.view.scene;
+  if (again) opening_->set_state(state_);  // the user may have gone on meanwhile
   std::string problem;
   if (attempt(problem, [&] { next_.emplace(*opening_, screen_, true); })) {
     outputs_.stop_clip();  // pictures of another scene may have another size
+    if (again) workspace_.notices.add(fmt::format("{} is read again: camera, lights and settings stay", scene));
   } else {
-    message_ = fmt::format("{} is not opened: {}", opening_->scene_name(), problem);
+    const bool names_it = problem.find(scene) != problem.npos;
+    message_ = fmt::format("{}not {}: {}", names_it ? "" : scene + " is ", again ? "read again" : "opened", problem);
   }
   opening_.reset();
 }
@@ -160,8 +168,8 @@ void Viewer::draw() {
   screen_.swapchain.present(screen_.canvas.image());
   // A reference is for one size: once it is under way, only a camera that moves changes it.
   follow_pace(work.count(), !sides_.has_reference() || !same_view);
+  hand_out();  // before the reference goes on: what is said of a picture is of what was drawn
   if (!sides_.wants_reference() || is_drawn_as_it_stays()) attempt(message_, [&] { sides_.follow(*session_); });
-  hand_out();
   if (says_what_is_built) {
     const ViewState built = *std::exchange(building_, std::nullopt);
     if (built.same_picture(state_)) return;
@@ -193,8 +201,13 @@ void Viewer::show_interface(ViewState& next) {
   sides_.show_divider();
   explain_.show_marks(*session_);
   // One box at a time: a notice waits until the failure is closed.
-  const bool failed = !failure().empty();
-  panels_.show_message(failed ? failure() : notice_, failed ? MessageKind::failure : MessageKind::notice);
+  if (std::string& failed = failure(); !failed.empty()) {
+    if (Panels::show_message(failed, MessageKind::failure)) failed.clear();
+    return;
+  }
+  Notices& notices = workspace_.notices;
+  notices.pass(static_cast<double>(ImGui::GetIO().DeltaTime));
+  if (Panels::show_message(notices.text(), MessageKind::notice)) notices.clear();
 }
 
 std::string& Viewer::failure() {
@@ -202,9 +215,13 @@ std::string& Viewer::failure() {
   return !shaders_.message().empty() ? shaders_.message() : outputs_.message();
 }
 
-std::string Viewer::drawn_over() const {
-  const std::string overlay = explain_.overlay_drawn(), error = sides_.shows_error() ? "the error" : "";
-  return overlay + (overlay.empty() || error.empty() ? "" : " and ") + error;
+PictureContent Viewer::picture_content() const {
+  PictureContent content;
+  content.drawn_over = explain_.overlay_drawn();
+  // The error keeps the brightness of what it lies on, and none of its colours.
+  if (sides_.shows_error()) content.drawn_over = "the error" + (content.drawn_over.empty() ? "" : ", and in grey below it " + content.drawn_over);
+  content.first_side_alone = sides_.divider() < 1.0f;
+  return content;
 }
 
 void Viewer::record() {
@@ -297,7 +314,7 @@ void Viewer::follow_pace(float work_ms, bool size_is_free) {
 // What leaves the window: pictures, clips, the clipboard, the status file.
 void Viewer::hand_out() {
   if (std::exchange(wishes_.screenshot, false)) outputs_.want_picture(".png");
-  if (!draws_small_maps()) outputs_.take(state_, *session_, drawn_over(), notice_);
+  if (!draws_small_maps()) outputs_.take(state_, *session_, picture_content(), workspace_.notices);
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), command().c_str());
   if (!status_.on()) return;
   status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), failure(), screen_.swapchain.vsync(),

@@ -59,8 +59,8 @@ class Viewer {
   void draw_second();
   bool is_drawn_as_it_stays() const { return !stays_finer_ || pace_.stays(); }
   float rest_scale() const;
-  std::string& failure();          // that is shown now, of whoever failed first; empty: none
-  std::string drawn_over() const;  // the picture, beside what its command draws
+  std::string& failure();  // that is shown now, of whoever failed first; empty: none
+  PictureContent picture_content() const;
   void handle_keys();
   void move_camera(ViewState& state, float seconds);
   void follow(const ViewState& next);
@@ -71,7 +71,7 @@ class Viewer {
   uvec2 wanted_size() const;
   std::string command() const;  // `gnomon render ...` of the picture, without its output
   bool follow_size();  // whether the picture has another size
-  void open(const std::string& scene);
+  bool open(const std::string& scene);  // whether it is on its way; else the message says why not
   void follow_drops();
   void rebuild();
 
@@ -105,7 +105,7 @@ class Viewer {
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<Recorder> patient_;  // of the picture that stays
   bool recorder_separates_ = false;
-  std::string message_, notice_;
+  std::string message_;
   Sides sides_;
   // To be shown behind the next frame: building it takes a while, and that frame says so.
   std::optional<ViewState> building_;

@@ -9,6 +9,7 @@ namespace gnomon::viewer {
 
 void Viewer::handle_keys() {
   if (interface_.takes_keys()) return;
+  if (window_.pressed(GLFW_KEY_ESCAPE)) interface_.close_popup();
   if (window_.pressed(GLFW_KEY_F12)) wishes_.screenshot = true;
   if (window_.pressed(GLFW_KEY_F1)) wishes_.interface = !wishes_.interface;
   if (window_.control_held()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/viewer/explain.h"
+#include "app/viewer/notice.h"
 #include "app/viewer/outputs.h"
 #include "app/viewer/panels.h"
 #include "app/viewer/recent_files.h"
@@ -18,6 +19,7 @@ struct Workspace {
   SidesChoice sides;
   ExplainOptions explain;
   Outputs outputs;
+  Notices notices;
   SceneWorks scenes;
   RecentFiles recent;
   ShaderReload shaders;  // what changed is what differs from the text at the program's start
