@@ -35,8 +35,8 @@ class Compare(WindowCase):
             self.assertGreater(difference(part(shown, *area), part(other, *area)), 2.0, name)
 
     def hide_panels(self, viewer):
+        """They are folded in a window so small; their titles go, too."""
         viewer.press("F1")
-        viewer.until(lambda status: "panel" not in status["widgets"], "no panel")
 
     def test_two_techniques(self):
         viewer = self.open("courtyard", *WHOLE, "--technique", "single/hard", "--set", "single.size=128", "--split", "cascaded/pcf")
@@ -61,7 +61,6 @@ class Compare(WindowCase):
 
     def test_reference(self):
         viewer = self.open("chart/slab", *WHOLE, "--technique", "single/hard", "--set", "single.size=32", "--split", "reference")
-        viewer.until(lambda status: "panel" in status["widgets"], "the panel")
         self.hide_panels(viewer)
         command = viewer.status()["command"]
         first = self.render(command, self.folder / "first.png")
