@@ -34,7 +34,7 @@ def parameters(viewer):
 
 def compare(viewer):
     """Two techniques, the error of both, and their scores."""
-    viewer.search("no parameter")
+    viewer.search("size")
     viewer.click("scores")
     viewer.until_text("reference", lambda text: text.endswith("rays") and " of " not in text, 300)
     viewer.until_text("mae.second", lambda _: True)
@@ -44,7 +44,7 @@ def compare(viewer):
 
 def explain(viewer):
     """A tint for each cascade, and why a pixel is dark."""
-    viewer.search("no parameter")
+    viewer.search("size")
     viewer.click_at(477, 420, MIDDLE)
     viewer.until_text("reason", lambda text: "not yet" not in text, 120)
     viewer.point(480, 60)
@@ -52,7 +52,7 @@ def explain(viewer):
 
 def lights(viewer):
     """A lamp that was added, with its handles."""
-    viewer.search("no parameter")
+    viewer.search("size")
     viewer.section("Lights")
     viewer.click("add_light:point")
     x, y = viewer.middle("arrow_y")
@@ -61,7 +61,7 @@ def lights(viewer):
 
 
 def measure(viewer):
-    viewer.search("no parameter")
+    viewer.search("size")
     viewer.section("Measure")
     viewer.click("separate_passes")
     viewer.point(480, 560)
