@@ -6,13 +6,13 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "base/temporary_folder.h"
 #include "scene/load.h"
-#include "support/temporary_folder.h"
 
 namespace {
 
 // With a picture and a place for the library: fuzz.mtl, fuzz.png.
-struct FuzzFolder : gnomon::test::TemporaryFolder {
+struct FuzzFolder : gnomon::TemporaryFolder {
   FuzzFolder() {
     gnomon::Image8 image(4, 4);
     for (size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = static_cast<uint8_t>(i * 37);

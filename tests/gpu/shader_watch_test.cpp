@@ -5,8 +5,8 @@
 #include <chrono>
 
 #include "base/file.h"
+#include "base/temporary_folder.h"
 #include "support/scenes.h"
-#include "support/temporary_folder.h"
 #include "support/view.h"
 
 namespace gnomon {
@@ -58,7 +58,7 @@ class ShaderWatching : public testing::Test {
     return {};
   }
 
-  const test::TemporaryFolder temporary_;
+  const TemporaryFolder temporary_;
   ShaderTree tree_;
   std::optional<test::View> view_;
 };

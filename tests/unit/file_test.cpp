@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "support/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 namespace gnomon {
 namespace {
@@ -25,7 +25,7 @@ class File : public testing::Test {
     }
   }
 
-  const test::TemporaryFolder temporary_;
+  const TemporaryFolder temporary_;
   const std::filesystem::path& folder_ = temporary_.path();
 };
 

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "support/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 namespace gnomon {
 namespace {
@@ -43,7 +43,7 @@ TEST(Image, PngRoundTripKeepsEveryByte) {
 }
 
 TEST(Image, FilesRoundTripAndNameThemselvesInErrors) {
-  const test::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto path = folder.path() / "picture.png";
   write_png(path, gradient(5, 4));
   EXPECT_EQ(read_image(path).rgba, gradient(5, 4).rgba);
@@ -83,7 +83,7 @@ TEST(Image, HeightMapsKeepTheirPrecision) {
 }
 
 TEST(Image, ExrIsWrittenWhole) {
-  const test::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const auto path = folder.path() / "picture.exr";
   for (int channels = 1; channels <= 4; ++channels) {
     write_exr(path, ImageF(16, 8, channels));

@@ -9,10 +9,10 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/image.h"
+#include "base/temporary_folder.h"
 #include "report/html.h"
 #include "report/pictures.h"
 #include "report/result_set.h"
-#include "support/temporary_folder.h"
 
 namespace gnomon {
 namespace {
@@ -119,7 +119,7 @@ class Report : public testing::Test {
     return refusal();
   }
 
-  const test::TemporaryFolder temporary_;
+  const TemporaryFolder temporary_;
   const std::filesystem::path& folder_ = temporary_.path();
 };
 

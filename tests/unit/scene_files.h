@@ -8,12 +8,12 @@
 #include <string>
 
 #include "base/image.h"
+#include "base/temporary_folder.h"
 #include "scene/scene.h"
-#include "support/temporary_folder.h"
 
 namespace gnomon::test_files {
 
-class Folder : public test::TemporaryFolder {
+class Folder : public TemporaryFolder {
  public:
   void picture(const std::string& name, int width, int height,
                const std::function<std::array<uint8_t, 4>(int, int)>& colour) const {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/file.h"
-#include "support/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 namespace gnomon {
 namespace {
@@ -49,7 +49,7 @@ TEST(ShaderSources, KnowsWhatCppReadsToo) {
 }
 
 TEST(ShaderSources, FollowsIncludesHoweverTheyAreWritten) {
-  const test::TemporaryFolder temporary;
+  const TemporaryFolder temporary;
   const std::filesystem::path& src = temporary.path();
   make_folder(src / "a");
   write_file(src / "a/main.comp",

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/file.h"
-#include "support/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -15,7 +15,7 @@ class RecentFilesTest : public testing::Test {
     write_file(folder_ / name, std::string_view("x"));
     return (folder_ / name).string();
   }
-  const test::TemporaryFolder temporary_;
+  const TemporaryFolder temporary_;
   const std::filesystem::path& folder_ = temporary_.path();
   std::filesystem::path list_ = folder_ / "state" / "recent";
 };

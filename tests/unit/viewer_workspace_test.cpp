@@ -10,8 +10,8 @@
 #include "app/viewer/scene_work.h"
 #include "app/viewer/start_settings.h"
 #include "base/file.h"
+#include "base/temporary_folder.h"
 #include "scene/load.h"
-#include "support/temporary_folder.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -78,7 +78,7 @@ TEST(SceneWorks, keep_cameras_by_scene) {
 }
 
 TEST(SceneWorks, know_a_file_by_any_path_to_it) {
-  const test::TemporaryFolder temporary;
+  const TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();
   make_folder(folder / "sub");
   write_file(folder / "model.obj", "v 0 0 0\n");
@@ -90,7 +90,7 @@ TEST(SceneWorks, know_a_file_by_any_path_to_it) {
 TEST(SceneWorks, know_that_a_scene_is_shown_already) {
   EXPECT_TRUE(same_scene("courtyard", "courtyard"));
   EXPECT_FALSE(same_scene("courtyard", "town"));
-  const test::TemporaryFolder temporary;
+  const TemporaryFolder temporary;
   const std::filesystem::path path = temporary.path() / "a.obj";
   write_file(path, "v 0 0 0\n");
   EXPECT_TRUE(same_scene(path.string(), std::filesystem::relative(path).string()));
