@@ -110,8 +110,9 @@ void main() {
     if (a.z < edge * length(a) && b.z < edge * length(b) && c.z < edge * length(c)) continue;
     // The square's corners lie farther out than its edges.
     Box box = outline(a, b, c, sqrt(2.0) / rim);
-    // A margin for rounding, small against a texel.
-    vec2 low = box.low * rim - 2e-5, high = box.high * rim + 2e-5;
+    // A margin for rounding, the rasteriser's to a 256th of a texel, too.
+    float margin = max(2e-5, view.texel_clip / 256.0);
+    vec2 low = box.low * rim - margin, high = box.high * rim + margin;
     if (any(greaterThan(low, vec2(1.0))) || any(lessThan(high, vec2(-1.0)))) continue;
     low = max(low, vec2(-1.0)), high = min(high, vec2(1.0));
     // Wound as the triangle is seen from the light, for the culling of faces.

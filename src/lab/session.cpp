@@ -130,6 +130,7 @@ void Session::resize(uvec2 size) {
   frame_->resize(size);
   options_.size = size;
   frame_->set_camera(camera_);
+  surface_is_whole_ = false;
 }
 
 void Session::make_frame(std::span<const Light> lights) {
@@ -138,6 +139,7 @@ void Session::make_frame(std::span<const Light> lights) {
   frame_->set_params(settings_.block("frame").as<frame_params::Params>());
   frame_->set_camera(camera_);
   context_ = std::make_unique<TechniqueContext>(device_, *frame_);
+  surface_is_whole_ = false;
 }
 
 std::string Session::unavailable(const TechniqueSpec& spec) const {

@@ -87,7 +87,8 @@ class Session {
   // Shades with the mask as it lies in the frame. Returns the picture.
   Image8 shade();
   void draw_surface();  // only the surface buffer
-  // Where a recorder gives up a frame (GivenUp), the surface buffer may hold a part of it: complete_surface then draws it.
+  // Where a recorder gives up a frame (GivenUp), the surface buffer may hold a part of it, and that of a new frame holds nothing:
+  // complete_surface then draws it.
   void frame_is_given_up() { surface_is_whole_ = false; }
   void complete_surface();
 
@@ -103,7 +104,7 @@ class Session {
   std::vector<Light> lights_;
   std::unique_ptr<GpuScene> gpu_scene_;
   std::unique_ptr<Frame> frame_;
-  bool surface_is_whole_ = true;
+  bool surface_is_whole_ = false;
   std::unique_ptr<TechniqueContext> context_;
 };
 

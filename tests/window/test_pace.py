@@ -11,7 +11,7 @@ SLOW = ["--frame-ms", "5", "--technique", "cascaded/vsm", "--set", "cascaded.siz
 class Pace(WindowCase):
     def test_a_fast_view_is_finer_at_rest(self):
         # Its pixels are dear, its map is not.
-        viewer = self.open("chart/slab", "--size", "1280x720", "--technique", "single/pcss", "--set", "single.size=64")
+        viewer = self.open("chart/slab", "--size", "1280x720", "--frame-ms", "10", "--technique", "single/pcss", "--set", "single.size=64")
         fine = viewer.until(self.is_fine, "the picture at rest")["picture_size"]
         viewer.desktop.key("w", True)
         viewer.until(lambda status: status["picture_size"][0] < fine[0], "a picture that is drawn in time")
@@ -47,6 +47,21 @@ class Pace(WindowCase):
         viewer.until_text("reference", lambda text: "ray" in text and " of " not in text, 120)
         viewer.until_text("mae.first", lambda text: text != first)
         self.assertTrue(self.is_fine(viewer.status()))
+        self.close(viewer)
+
+    def test_scores_follow_the_technique_while_the_reference_stays(self):
+        viewer = self.open("chart/slab", "--size", "1280x720", "--frame-ms", "20", "--technique", "single/hard", "--set", "single.size=64",
+                           "--split", "cascaded/hard")
+        viewer.click("scores")
+        first = viewer.until_text("mae.first", lambda _: True)
+        second = viewer.until_text("mae.second", lambda text: text != first)
+        viewer.choose("technique", "single/pcf")
+        viewer.until_text("mae.first", lambda text: text != first)
+        viewer.choose("technique", "single/hard")
+        viewer.until_text("mae.first", lambda text: text == first)
+        viewer.click("exchange")
+        viewer.until_text("mae.first", lambda text: text == second)
+        viewer.until_text("mae.second", lambda text: text == first)
         self.close(viewer)
 
     def slow_view(self, size="900x500"):

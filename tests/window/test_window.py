@@ -105,6 +105,13 @@ class Window(WindowCase):
             for name in shown:
                 left, top, right, bottom = status["widgets"][name]
                 self.assertTrue(0 <= left < right <= width and 0 <= top < bottom <= height, name)
+        # Also those that were hidden meanwhile.
+        viewer.press("F1")
+        self.desktop.resize(viewer.window, 400, 300)
+        viewer.until(lambda status: status["window_size"] == [400, 300], "the window's size")
+        viewer.press("F1")
+        viewer.frames()
+        self.assertFalse({"panel", "tools"} & set(viewer.widgets()))
         self.close(viewer)
 
     def test_picture_size_apart_from_the_window(self):

@@ -12,7 +12,6 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 
-#include "app/viewer/section.h"
 #include "gpu/recorder.h"
 
 namespace gnomon::viewer {
@@ -169,7 +168,6 @@ void Interface::begin_frame() {
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
-  arrange_windows();
 }
 
 void Interface::end_frame() { ImGui::Render(); }

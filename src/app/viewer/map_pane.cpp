@@ -70,7 +70,7 @@ MapProbe MapPane::probe() const {
 }
 
 void MapPane::show(const std::optional<ShadowMapView>& map, const std::string& light_name, uint32_t& layer, bool& open) {
-  appear_at(places_on_screen().map);
+  appear_at("map", places_on_screen().map);
   // The part behind ### is the window's identity, whatever light it shows.
   shown_ = ImGui::Begin(fmt::format("shadow map{}{}###map", light_name.empty() ? "" : " of ", light_name).c_str(), &open) && map;
   if (!map) ImGui::TextDisabled("this technique has no map");

@@ -25,7 +25,7 @@ void wrapped(const std::string& text, float width) {
 
 bool begin_main_panel() {
   const WindowPlaces places = places_on_screen();
-  appear_at(places.panel, places.panel_folded);
+  appear_at("panel", places.panel, places.panel_folded);
   const bool open = ImGui::Begin("gnomon");
   if (open) note_window("panel");
   return open;

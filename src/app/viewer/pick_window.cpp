@@ -130,7 +130,7 @@ vec3 reason_colour(const PickFacts& facts, Cause cause) {
 void show_pick_window(const Picked& picked, bool& open) {
   const PickFacts& facts = picked.facts;
   const PickRecord& record = facts.record;
-  appear_at(places_on_screen().pick);
+  appear_at("pick", places_on_screen().pick);
   // The part behind ### is the window's identity, whatever pixel it shows.
   const SideText text = side_text(picked.side);
   if (ImGui::Begin(fmt::format("pixel {}, {}: {}{}###pick", picked.pixel.x, picked.pixel.y, picked.technique, text.title).c_str(), &open)) {

@@ -11,17 +11,18 @@
 
 namespace gnomon::viewer {
 
-void PresetPanel::show(ViewState& state, uvec2 size, std::span<const Light> lights) {
+void PresetPanel::show(ViewState& state, const Session& session) {
+  const uvec2 size = session.options().size;
   ImGui::Checkbox("keep camera and lights", &keep_view_);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("of a preset take technique, samples and settings only");
-  builtin_ones(state, lights);
+  builtin_ones(state, session.scene());
   ImGui::SetNextItemWidth(0.45f * ImGui::GetContentRegionAvail().x);
   ImGui::InputText("##preset", file_, sizeof file_);
   note_widget("preset_file");
   ImGui::SameLine();
   const bool loads = ImGui::Button("load");
   note_widget("load_preset");
-  if (loads) load(state, file_, lights);
+  if (loads) load(state, file_, session.scene());
   ImGui::SameLine();
   save(state, size);
   if (ImGui::Button("copy preset JSON")) {
@@ -32,18 +33,18 @@ void PresetPanel::show(ViewState& state, uvec2 size, std::span<const Light> ligh
   if (!done_.empty()) ImGui::TextWrapped("%s", done_.c_str());
 }
 
-void PresetPanel::load(ViewState& state, const std::string& name, std::span<const Light> lights) {
+void PresetPanel::load(ViewState& state, const std::string& name, const Scene& scene) {
   const Preset preset = load_preset(name);
   ViewState next = with_preset(state, preset, keep_view_);
-  // Lights that stay may be of kinds that the preset knows nothing of.
-  next.complete_techniques(lights, state.techniques);
+  // Its techniques may serve fewer kinds of light than there are.
+  next.complete_techniques(choose_lights(scene, next.view, next.settings()), state.techniques);
   state = std::move(next);
-  done_ = fmt::format("loaded {}", name);
+  done_ = fmt::format("read {}", name);
   if (for_other_scene(state, preset))
     done_ += fmt::format("; it is for the scene {}: camera and lights stay as they are", *preset.scene);
 }
 
-void PresetPanel::builtin_ones(ViewState& state, std::span<const Light> lights) {
+void PresetPanel::builtin_ones(ViewState& state, const Scene& scene) {
   ImGui::SetNextItemWidth(-1.0f);
   if (!ImGui::BeginCombo("##builtin", "built-in presets", ImGuiComboFlags_HeightLarge)) {
     note_widget("builtin_preset");
@@ -52,7 +53,7 @@ void PresetPanel::builtin_ones(ViewState& state, std::span<const Light> lights) 
   for (const Preset& preset : builtin_presets()) {
     const bool chosen = ImGui::Selectable(preset.name.c_str());
     note_widget("builtin_preset", preset.name);
-    if (chosen) load(state, preset.name, lights);
+    if (chosen) load(state, preset.name, scene);
     if (!ImGui::IsItemHovered()) continue;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30.0f);

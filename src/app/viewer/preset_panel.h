@@ -7,12 +7,12 @@ namespace gnomon::viewer {
 
 class PresetPanel {
  public:
-  // `lights`: those that are shown. Throws Error where a preset cannot be read, used or written.
-  void show(ViewState& state, uvec2 size, std::span<const Light> lights);
+  // Throws Error where a preset cannot be read, used or written.
+  void show(ViewState& state, const Session& session);
 
  private:
-  void load(ViewState& state, const std::string& name, std::span<const Light> lights);
-  void builtin_ones(ViewState& state, std::span<const Light> lights);
+  void load(ViewState& state, const std::string& name, const Scene& scene);
+  void builtin_ones(ViewState& state, const Scene& scene);
   void save(const ViewState& state, uvec2 size);
 
   bool keep_view_ = false;

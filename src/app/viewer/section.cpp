@@ -3,6 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "app/viewer/status_file.h"
 
@@ -11,9 +14,12 @@ namespace {
 
 ImVec2 to_imgui(vec2 v) { return {v.x, v.y}; }
 
-// As Dear ImGui's own state: of the one interface.
-vec2 arranged_for(0.0f);
-ImGuiCond when_arranged = ImGuiCond_FirstUseEver;
+// Whether the window is to be arranged: it was not yet shown on a screen of that size.
+bool is_new_here(const char* name) {
+  static std::map<std::string, vec2> arranged_for;  // as Dear ImGui's own state, of the one interface
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  return std::exchange(arranged_for[name], vec2(screen.x, screen.y)) != vec2(screen.x, screen.y);
+}
 
 }  // namespace
 
@@ -22,18 +28,11 @@ WindowPlaces places_on_screen() {
   return first_places({screen.x, screen.y}, ImGui::GetFontSize());
 }
 
-void arrange_windows() {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const vec2 size(screen.x, screen.y);
-  const bool anew = size != arranged_for && size.x > 0.0f;
-  when_arranged = anew ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
-  if (anew) arranged_for = size;
-}
-
-void appear_at(const Place& place, bool folded) {
-  ImGui::SetNextWindowPos(to_imgui(place.corner), when_arranged);
-  ImGui::SetNextWindowSize(to_imgui(place.size), when_arranged);
-  ImGui::SetNextWindowCollapsed(folded, when_arranged);
+void appear_at(const char* name, const Place& place, bool folded) {
+  if (!is_new_here(name)) return;
+  ImGui::SetNextWindowPos(to_imgui(place.corner));
+  ImGui::SetNextWindowSize(to_imgui(place.size));
+  ImGui::SetNextWindowCollapsed(folded);
 }
 
 float section_width() {
@@ -47,7 +46,7 @@ bool begin_section(const char* title, bool open_at_first) {
   ImGui::SetNextWindowPos(to_imgui(tools.corner), ImGuiCond_Always);
   const float most = ImGui::GetIO().DisplaySize.y - 2.0f * tools.corner.y;
   ImGui::SetNextWindowSizeConstraints({tools.size.x, 0.0f}, {tools.size.x, std::max(most, 60.0f)});
-  ImGui::SetNextWindowCollapsed(places.tools_folded, when_arranged);
+  if (is_new_here("tools")) ImGui::SetNextWindowCollapsed(places.tools_folded);
   const bool shown = ImGui::Begin("tools", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove);
   bool open = false;
   if (shown) {

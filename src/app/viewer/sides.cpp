@@ -106,6 +106,10 @@ bool Sides::draw_settings(Recorder& recorder, Session& session, const ViewState&
     score_[1] = score(session);
     back_to_first();
     return true;
+  } catch (const GivenUp&) {
+    second_key_.clear();
+    back_to_first();
+    throw;
   } catch (const Error&) {
     choice_.second = SecondSide::none;
     back_to_first();

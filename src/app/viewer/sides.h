@@ -35,7 +35,7 @@ class Sides {
 
   // The second side's picture with what `explain` says of it, where it is out of date; the session then shows `state` again, and true means that
   // the frame holds the other side's surface and masks. Throws Error where the second side's settings cannot be shown: there is then no second
-  // side.
+  // side; GivenUp where `recorder` does.
   bool draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain);
   // Behind the first side's shading.
   void record_error(Recorder& recorder, const Frame& frame) const;

@@ -51,7 +51,7 @@ void StatePanels::show(ViewState& state, CameraRig& rig, Session& session, std::
     ImGui::SameLine();
     wants_redo_ = button("redo (Ctrl+Y)", history_.can_redo()) || wants_redo_;
     note_widget("redo");
-    attempt(message, [&] { presets_.show(state, session.options().size, session.frame().lights()); });
+    attempt(message, [&] { presets_.show(state, session); });
   }
   end_section();
   if (lights_open) attempt(message, [&] { lights_.show_gizmo(state, session); });

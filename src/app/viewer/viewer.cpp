@@ -157,6 +157,7 @@ void Viewer::draw() {
   // While something is to be built, the state is still the one before: no new step.
   if (!building_) state_panels_.remember(state_);
   state_panels_.follow_camera(camera_, *session_);
+  explain_.set_sides(sides_.divider(), sides_.second_settings());
   choose_draws();
   if (follow_size() && pace_.last() == Pace::Draws::nothing) pace_.draw_again();
   shaders_.update([&] { rebuild(); });
@@ -169,7 +170,8 @@ void Viewer::draw() {
   // A reference is for one size: once it is under way, only a camera that moves changes it.
   follow_pace(work.count(), !sides_.has_reference() || !same_view);
   hand_out();  // before the reference goes on: what is said of a picture is of what was drawn
-  if (!sides_.wants_reference() || is_drawn_as_it_stays()) attempt(message_, [&] { sides_.follow(*session_); });
+  const bool scores_anew = sides_.has_reference() && pace_.last() == Pace::Draws::full;
+  if (!sides_.wants_reference() || is_drawn_as_it_stays() || scores_anew) attempt(message_, [&] { sides_.follow(*session_); });
   if (says_what_is_built) {
     const ViewState built = *std::exchange(building_, std::nullopt);
     if (built.same_picture(state_)) return;
@@ -231,7 +233,6 @@ void Viewer::record() {
     recorder_ = std::make_unique<Recorder>(device_, recorder_separates_ ? TimingMode::measure : TimingMode::play, alone);
     timings_.clear();
   }
-  explain_.set_sides(sides_.divider(), sides_.second_settings());
   draw_second();
   if (pace_.draws_once()) draw_once();
   const bool draws = pace_.last() != Pace::Draws::nothing;
@@ -255,22 +256,30 @@ void Viewer::record_picture(Recorder& recorder) {
   screen_.canvas.record_picture(recorder, session_->frame(), 0);
 }
 
-// Ends between two passes where the user does something meanwhile.
-void Viewer::draw_once() {
+// What it records ends between two passes where the user does something meanwhile.
+Recorder& Viewer::patient() {
   if (!patient_) {
     patient_ = std::make_unique<Recorder>(device_, TimingMode::play, true);
     patient_->give_up_when([this] { return interrupted() || window_.has_input(); });
   }
+  return *patient_;
+}
+
+void Viewer::give_up() {
+  pace_.give_up();
+  session_->frame_is_given_up();
+}
+
+void Viewer::draw_once() {
   const auto start = std::chrono::steady_clock::now();
   try {
-    patient_->begin();
-    record_picture(*patient_);
-    patient_->finish();
+    patient().begin();
+    record_picture(patient());
+    patient().finish();
     const std::chrono::duration<float, std::milli> took = std::chrono::steady_clock::now() - start;
     pace_.done(took.count(), wishes_.target_ms);
   } catch (const GivenUp&) {
-    pace_.give_up();
-    session_->frame_is_given_up();
+    give_up();
   }
 }
 
@@ -288,7 +297,8 @@ void Viewer::choose_draws() {
   const bool compared = sides_.second_settings() || explain_.reads_frame();
   may_shrink_ = asked.may_shrink = wishes_.adapt_size && !in_each_frame && !compared;
   // Before the size is found nothing stays: it is found by drawing.
-  const bool settled = pace_.slow() || render_scale_.settled();
+  // It is found where a reference holds it, or where there is no memory for another one.
+  const bool settled = pace_.slow() || render_scale_.settled() || sides_.has_reference() || refused_size_;
   stays_finer_ = wishes_.adapt_size && !in_each_frame && (!settled || pace_.slow() || render_scale_.scale() < RenderScale::k_most);
   asked.may_stay = stays_finer_ && settled;
   pace_.next(asked, last_frame_);
@@ -322,9 +332,15 @@ void Viewer::hand_out() {
 }
 
 void Viewer::draw_second() {
-  attempt(message_, [&] {
-    if (sides_.draw_second(*recorder_, *session_, state_, screen_.canvas, explain_) && pace_.last() == Pace::Draws::nothing) pace_.draw_again();
-  });
+  const bool rests = pace_.draws_once() || pace_.stays();
+  try {
+    attempt(message_, [&] {
+      const bool drawn = sides_.draw_second(rests ? patient() : *recorder_, *session_, state_, screen_.canvas, explain_);
+      if (drawn && pace_.last() == Pace::Draws::nothing) pace_.draw_again();
+    });
+  } catch (const GivenUp&) {
+    give_up();
+  }
 }
 
 // Changes count in this frame, unless something must be built for them: then the next frame says so, and they count behind it.
@@ -372,6 +388,7 @@ void Viewer::apply(const ViewState& wanted, const Settings& settings) {
     message_.clear();
   });
   if (done) return;
+  drawn_.reset();  // the frame may be a new one
   change(state_, state_.settings());
   update_techniques(state_.techniques);
 }

@@ -54,6 +54,8 @@ class Viewer {
   bool draws_small_maps() const { return pace_.last() == Pace::Draws::small_maps; }
   void record_picture(Recorder& recorder);
   void draw_once();
+  Recorder& patient();
+  void give_up();
   void follow_pace(float work_ms, bool size_is_free);
   void hand_out();
   void draw_second();
