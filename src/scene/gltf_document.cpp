@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/file.h"
+#include "base/percent_encoding.h"
 #include "scene/gltf_compression.h"
 
 namespace gnomon {
@@ -26,21 +27,6 @@ uint32_t read_u32(Bytes bytes, size_t offset) {
 }
 
 std::string_view as_text(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
-
-std::string percent_decoded(std::string_view text) {
-  std::string result;
-  for (size_t i = 0; i < text.size(); ++i) {
-    unsigned code = 0;
-    const bool escape = text[i] == '%' && i + 2 < text.size() && std::isxdigit(static_cast<unsigned char>(text[i + 1])) &&
-                        std::isxdigit(static_cast<unsigned char>(text[i + 2]));
-    if (escape) {
-      code = static_cast<unsigned>(std::stoul(std::string(text.substr(i + 1, 2)), nullptr, 16));
-      i += 2;
-    }
-    result += escape ? static_cast<char>(code) : text[i];
-  }
-  return result;
-}
 
 // RFC 4648, with or without padding at the end; nullopt where another character occurs.
 std::optional<std::vector<std::byte>> base64_decoded(std::string_view text) {

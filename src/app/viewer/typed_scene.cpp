@@ -1,6 +1,6 @@
 #include "app/viewer/typed_scene.h"
 
-#include <charconv>
+#include "base/percent_encoding.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -16,23 +16,6 @@ std::string_view without_quotes(std::string_view text) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-// Of the path of an address, where "%20" is a blank.
-std::string decoded(std::string_view text) {
-  std::string bytes;
-  for (size_t i = 0; i < text.size(); ++i) {
-    unsigned char byte = 0;
-    const bool escaped = text[i] == '%' && i + 2 < text.size();
-    const char* const end = escaped ? text.data() + i + 3 : text.data();
-    if (escaped && std::from_chars(text.data() + i + 1, end, byte, 16).ptr == end) {
-      bytes += static_cast<char>(byte);
-      i += 2;
-    } else {
-      bytes += text[i];
-    }
-  }
-  return bytes;
-}
-
 }  // namespace
 
 std::string typed_scene(std::string_view typed, const std::filesystem::path& home) {
@@ -41,7 +24,7 @@ std::string typed_scene(std::string_view typed, const std::filesystem::path& hom
   if (text.starts_with(k_address)) {
     std::string_view path = text.substr(k_address.size());
     if (path.starts_with(k_this_host)) path.remove_prefix(k_this_host.size() - 1);
-    return decoded(path);
+    return percent_decoded(path);
   }
   if (text.starts_with(k_in_home) && !home.empty()) return (home / text.substr(k_in_home.size())).string();
   return std::string(text);
