@@ -1,8 +1,8 @@
 # Compiles every shader below src/ and every generated kernel to SPIR-V, and links the words into the library gnomon_shaders
-# (gpu/shader.h finds them by name). A shader's name is its path below src/: "frame/shade.comp".
+# (gpu/shader.h finds them by name). A shader's name is its path below src/: "frame/shading/shade.comp".
 enable_language(ASM)
 set(GNOMON_SHADER_STAGES comp vert frag geom rgen rmiss rahit rchit)
-# Also those of the viewer, which compiles shaders that change while it runs (src/lab/shader_compiler.cpp).
+# Also those of the viewer, which compiles shaders that change while it runs (src/lab/live_shaders/shader_compiler.cpp).
 set(GNOMON_GLSLC_FLAGS --target-env=vulkan1.3 -Werror -O)
 
 # gnomon_compile_shader(NAME FILE): appends to GNOMON_SPIRV and GNOMON_SHADER_NAMES of the caller. Paths are relative to the build

@@ -24,10 +24,10 @@ function(gnomon_technique_ids folder out)
   set(${out} ${ids} PARENT_SCOPE)
 endfunction()
 
-# Writes the kernel <kind>/<name>.comp from src/shadow/map/<kind>.comp.in, and adds it to the caller's `generated`.
+# Writes the kernel <kind>/<name>.comp from src/shadow/map/kernels/<kind>.comp.in, and adds it to the caller's `generated`.
 function(gnomon_generated_kernel kind name PROJECTION FILTER)
   set(kernel ${CMAKE_BINARY_DIR}/kernels/${kind}/${name}.comp)
-  configure_file(${CMAKE_SOURCE_DIR}/src/shadow/map/${kind}.comp.in ${kernel} @ONLY)
+  configure_file(${CMAKE_SOURCE_DIR}/src/shadow/map/kernels/${kind}.comp.in ${kernel} @ONLY)
   set(generated ${generated} ${kind}/${name}.comp ${kernel} PARENT_SCOPE)
 endfunction()
 

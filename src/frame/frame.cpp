@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "frame/glsl/pixel_tile.glsl"
+#include "frame/surface/pixel_tile.glsl"
 #include "frame/light_data.h"
 
 namespace gnomon {
@@ -51,14 +51,14 @@ Frame::Frame(Device& device, const GpuScene& scene, uvec2 size, uint32_t samples
   draws_ = CulledDraws(device, scene, "camera");
   cull_pipeline_ = make_cull_pipeline(device);
   GraphicsPipelineInfo surface;
-  surface.vertex = "frame/surface.vert";
-  surface.fragment = "frame/surface.frag";
+  surface.vertex = "frame/surface/surface.vert";
+  surface.fragment = "frame/surface/surface.frag";
   surface.colour_formats = {albedo_.info().format, normal_.info().format, id_.info().format};
   surface.samples = samples;
   surface_pipeline_ = make_graphics_pipeline(device, surface);
-  pack_pipeline_ = make_compute_pipeline(device, "frame/surface_pack.comp", {samples});
-  shade_pipeline_ = make_compute_pipeline(device, "frame/shade.comp", {samples});
-  points_pipeline_ = make_compute_pipeline(device, "frame/surface_points.comp");
+  pack_pipeline_ = make_compute_pipeline(device, "frame/surface/surface_pack.comp", {samples});
+  shade_pipeline_ = make_compute_pipeline(device, "frame/shading/shade.comp", {samples});
+  points_pipeline_ = make_compute_pipeline(device, "frame/surface/surface_points.comp");
 }
 
 void Frame::create_images() {

@@ -7,7 +7,7 @@
 #include "base/image.h"
 #include "base/params.h"
 #include "frame/camera_data.h"
-#include "frame/cull.h"
+#include "frame/casters/culling/cull.h"
 #include "frame/gpu_scene.h"
 #include "scene/surface_point.h"
 

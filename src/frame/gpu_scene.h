@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "frame/caster_list.h"
-#include "frame/glsl/cull_data.glsl"
+#include "frame/casters/caster_list.h"
+#include "frame/casters/culling/cull_data.glsl"
 #include "gpu/buffer.h"
 #include "gpu/image.h"
 #include "scene/scene.h"

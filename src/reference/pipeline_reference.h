@@ -1,7 +1,7 @@
 // Ray-traced truth on the GPU: the same points and rays as reference/cpu/embree_reference.h, through the ray-tracing pipeline.
 #pragma once
 
-#include "frame/acceleration_structure.h"
+#include "frame/rays/acceleration_structure.h"
 #include "frame/frame.h"
 #include "reference/cpu/embree_reference.h"
 

@@ -119,7 +119,7 @@ std::string Scene::content_hash() const {
 }
 
 Camera framing_camera(const Scene& scene, float aspect) {
-  // The sun of a scene without lights (lab/light.params) stands at its left: shadows are in sight.
+  // The sun of a scene without lights (lab/view/light.params) stands at its left: shadows are in sight.
   constexpr float k_elevation = k_pi / 6.0f, k_azimuth = k_pi / 5.0f, k_margin = 1.05f;
   Camera camera;
   camera.name = "framing";

@@ -2,6 +2,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/bindless.glsl"
-#include "frame/glsl/pixel_tile.glsl"
+#include "frame/surface/pixel_tile.glsl"
 #include "frame/glsl/surface.glsl"
 #include "shadow/map/glsl/explain_main.glsl"

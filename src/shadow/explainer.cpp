@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "frame/glsl/pixel_tile.glsl"
+#include "frame/surface/pixel_tile.glsl"
 
 namespace gnomon {
 namespace {

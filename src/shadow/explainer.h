@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "frame/overdraw.h"
+#include "frame/shading/overdraw.h"
 #include "shadow/map/glsl/explain_data.glsl"
 #include "shadow/technique.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "frame/acceleration_structure.h"
+#include "frame/rays/acceleration_structure.h"
 #include "shadow/map/map_technique.h"
 #include "shadow/registry.h"
 

@@ -1,7 +1,7 @@
 // Cascades: identities with a single map, and stillness of edges while the viewer moves.
 #include <cmath>
 
-#include "frame/caster_draws.h"
+#include "frame/casters/caster_draws.h"
 #include "shadow/map/splits.h"
 #include "measure/visibility_error.h"
 #include "shadow/registry.h"

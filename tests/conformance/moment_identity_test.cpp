@@ -4,7 +4,7 @@
 #include <random>
 
 #include "base/params.h"
-#include "frame/caster_draws.h"
+#include "frame/casters/caster_draws.h"
 #include "shadow/map/filter/evsm/evsm_warp.glsl"
 #include "shadow/map/filter/msm/msm_moments.glsl"
 #include "shadow/map/glsl/chebyshev.glsl"

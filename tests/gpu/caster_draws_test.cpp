@@ -1,5 +1,5 @@
 // Culling and layering of casters: every way to draw a map gives the same bits, and culling draws less.
-#include "frame/caster_draws.h"
+#include "frame/casters/caster_draws.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Maps of depth drawn from a light, texel by texel, against planes and boxes that can be written down.
-#include "frame/caster_draws.h"
+#include "frame/casters/caster_draws.h"
 
 #include "support/scenes.h"
 #include "support/view.h"

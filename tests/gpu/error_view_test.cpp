@@ -1,5 +1,5 @@
 // The error on the picture against the CPU's own map of it, and the reference as a mask.
-#include "frame/error_view.h"
+#include "frame/shading/error_view.h"
 
 #include "measure/visibility_error.h"
 #include "support/scenes.h"

@@ -3,8 +3,8 @@
 #include <map>
 #include <set>
 
-#include "lab/point_reference.h"
-#include "lab/reason.h"
+#include "lab/explain/point_reference.h"
+#include "lab/explain/reason.h"
 #include "shadow/explainer.h"
 #include "shadow/registry.h"
 #include "support/scenes.h"

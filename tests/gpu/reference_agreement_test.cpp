@@ -2,7 +2,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "lab/reference_set.h"
+#include "lab/experiment/reference_set.h"
 #include "reference/pipeline_reference.h"
 #include "support/scenes.h"
 #include "support/view.h"

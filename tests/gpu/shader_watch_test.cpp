@@ -1,5 +1,5 @@
 // Shaders that change while the program runs, in a copy of the source tree.
-#include "lab/shader_watch.h"
+#include "lab/live_shaders/shader_watch.h"
 
 #include <algorithm>
 #include <chrono>
@@ -145,14 +145,14 @@ TEST_F(ShaderWatching, WhatCppReadsTooNeedsABuild) {
 TEST_F(ShaderWatching, OtherPushConstantsNeedABuild) {
   view_->draw();
   ShaderWatch watch(tree_);
-  const char* file = "frame/shade.comp";
+  const char* file = "frame/shading/shade.comp";
   std::string changed = text(file);
   const size_t at = changed.find('{', changed.find("layout(push_constant"));
   ASSERT_NE(at, changed.npos);
   write(file, changed.insert(at + 1, "uint added;"));
   const ShaderNews news = news_of(watch);
   EXPECT_TRUE(news.compiled.empty());
-  EXPECT_NE(news.error.find("frame/shade.comp: its push constants"), std::string::npos) << news.error;
+  EXPECT_NE(news.error.find("frame/shading/shade.comp: its push constants"), std::string::npos) << news.error;
 }
 
 TEST_F(ShaderWatching, WithoutTreeOrCompilerItSaysWhyNothingIsWatched) {

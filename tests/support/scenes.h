@@ -1,7 +1,7 @@
 // Small scenes for the tests that need a device. Materials: 0 grey, single-sided.
 #pragma once
 
-#include "scene/builtin/shapes.h"
+#include "scene/builtin/parts/shapes.h"
 #include "scene/load.h"
 
 namespace gnomon::test {

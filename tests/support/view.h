@@ -1,7 +1,7 @@
 // A scene on the GPU, seen by its first camera under its lights; and a technique run on it.
 #pragma once
 
-#include "frame/acceleration_structure.h"
+#include "frame/rays/acceleration_structure.h"
 #include "shadow/technique.h"
 #include "support/device_tests.h"
 

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "base/file.h"
-#include "scene/builtin/noise.h"
+#include "scene/builtin/parts/noise.h"
 #include "scene/load.h"
 
 namespace gnomon {

@@ -1,6 +1,6 @@
 // Closed forms of the charts against brute force on the same primitives (own ray tests, stratified disc), and against cases
 // that have a formula of their own.
-#include "scene/builtin/closed_form.h"
+#include "scene/builtin/parts/closed_form.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Lights written on the command line.
-#include "lab/light_text.h"
+#include "lab/view/light_text.h"
 
 #include <gtest/gtest.h>
 

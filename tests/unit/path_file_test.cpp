@@ -1,5 +1,5 @@
 // Paths of cameras and suns as files.
-#include "lab/path_file.h"
+#include "lab/view/path_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The reason in words: each cause from the facts that show it.
-#include "lab/reason.h"
+#include "lab/explain/reason.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which files belong to a shader: of this tree, and of one written here.
-#include "lab/shader_sources.h"
+#include "lab/live_shaders/shader_sources.h"
 
 #include <gtest/gtest.h>
 
@@ -15,23 +15,23 @@ TEST(ShaderSources, AKernelIsItsTemplateWithTheNamesOfItsTechnique) {
   ShaderSources sources(k_src);
   const std::string name = "resolve/single/pcf.comp";
   EXPECT_TRUE(sources.is_kernel(name));
-  EXPECT_EQ(sources.file_of(name), "shadow/map/resolve.comp.in");
+  EXPECT_EQ(sources.file_of(name), "shadow/map/kernels/resolve.comp.in");
   EXPECT_NE(sources.kernel_text(name).find("#include \"shadow/map/projection/single/single.glsl\""), std::string::npos);
   EXPECT_EQ(sources.kernel_text(name).find('@'), std::string::npos);
   const auto files = sources.files_of(name);
-  for (const char* file : {"shadow/map/resolve.comp.in", "shadow/map/filter/pcf/pcf.glsl", "shadow/map/filter/pcf/pcf.params",
+  for (const char* file : {"shadow/map/kernels/resolve.comp.in", "shadow/map/filter/pcf/pcf.glsl", "shadow/map/filter/pcf/pcf.params",
                            "shadow/map/projection/single/single.glsl", "shadow/map/glsl/compare.glsl", "base/glsl/shared.glsl"}) {
     EXPECT_TRUE(files.contains(file)) << file;
   }
   EXPECT_FALSE(files.contains("shadow/map/filter/hard/hard.glsl"));
-  EXPECT_FALSE(sources.is_kernel("frame/shade.comp"));
+  EXPECT_FALSE(sources.is_kernel("frame/shading/shade.comp"));
   EXPECT_TRUE(sources.files_of("convert/vsm.comp").contains("shadow/map/filter/vsm/vsm_encode.glsl"));
 }
 
 // As the build wrote them (cmake/gnomon_techniques.cmake).
 TEST(ShaderSources, EveryFileOfAShaderIsThere) {
   ShaderSources sources(k_src);
-  for (const char* name : {"frame/shade.comp", "frame/visibility.rahit", "frame/caster_paraboloid.geom", "resolve/cube/pcss.comp",
+  for (const char* name : {"frame/shading/shade.comp", "frame/rays/visibility.rahit", "frame/casters/draw/caster_paraboloid.geom", "resolve/cube/pcss.comp",
                            "history/evsm.comp", "explain/cascaded.comp", "radius/pcss.comp"}) {
     for (const std::string& file : sources.files_of(name)) EXPECT_NE(sources.hash(file), "") << name << " includes " << file;
   }
@@ -43,7 +43,7 @@ TEST(ShaderSources, KnowsWhatCppReadsToo) {
                            "shadow/map/filter/pcf/pcf.params", "shadow/map/bias.params"}) {
     EXPECT_TRUE(shared.contains(file)) << file;
   }
-  for (const char* file : {"shadow/map/filter/pcf/pcf.glsl", "frame/shade.comp", "shadow/map/glsl/compare.glsl"}) {
+  for (const char* file : {"shadow/map/filter/pcf/pcf.glsl", "frame/shading/shade.comp", "shadow/map/glsl/compare.glsl"}) {
     EXPECT_FALSE(shared.contains(file)) << file;
   }
 }

@@ -1,10 +1,10 @@
 // Cameras of the viewer: orbit, saved ones, playback, recording.
 #include <gtest/gtest.h>
 
-#include "app/viewer/camera_rig.h"
-#include "app/viewer/path_player.h"
-#include "app/viewer/path_recorder.h"
-#include "app/viewer/saved_cameras.h"
+#include "app/viewer/camera/camera_rig.h"
+#include "app/viewer/camera/path_player.h"
+#include "app/viewer/camera/path_recorder.h"
+#include "app/viewer/camera/saved_cameras.h"
 
 namespace gnomon::viewer {
 namespace {

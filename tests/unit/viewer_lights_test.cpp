@@ -1,9 +1,9 @@
 // Lights of the viewer's state: edits rewrite the texts.
 #include <gtest/gtest.h>
 
-#include "app/viewer/light_list.h"
+#include "app/viewer/lights/light_list.h"
 #include "base/error.h"
-#include "lab/light_text.h"
+#include "lab/view/light_text.h"
 
 namespace gnomon::viewer {
 namespace {

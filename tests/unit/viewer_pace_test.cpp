@@ -1,6 +1,6 @@
 // What a slow view draws, frame by frame.
-#include "app/viewer/pace.h"
-#include "app/viewer/render_scale.h"
+#include "app/viewer/window/pace.h"
+#include "app/viewer/window/render_scale.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "app/viewer/light_list.h"
-#include "app/viewer/view_preset.h"
+#include "app/viewer/lights/light_list.h"
+#include "app/viewer/state/view_preset.h"
 #include "base/error.h"
 
 namespace gnomon::viewer {

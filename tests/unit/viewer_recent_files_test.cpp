@@ -1,5 +1,5 @@
 // The list of files opened last.
-#include "app/viewer/recent_files.h"
+#include "app/viewer/state/recent_files.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The size of the viewer's picture against frames of known cost.
-#include "app/viewer/render_scale.h"
+#include "app/viewer/window/render_scale.h"
 
 #include <gtest/gtest.h>
 

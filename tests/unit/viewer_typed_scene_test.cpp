@@ -1,5 +1,5 @@
 // Paths as users type and paste them.
-#include "app/viewer/typed_scene.h"
+#include "app/viewer/state/typed_scene.h"
 
 #include <gtest/gtest.h>
 

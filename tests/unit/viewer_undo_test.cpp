@@ -1,7 +1,7 @@
 // The viewer's history of states.
 #include <gtest/gtest.h>
 
-#include "app/viewer/undo_history.h"
+#include "app/viewer/state/undo_history.h"
 
 namespace gnomon::viewer {
 namespace {

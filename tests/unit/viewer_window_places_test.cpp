@@ -1,5 +1,5 @@
 // First places of the viewer's windows.
-#include "app/viewer/window_places.h"
+#include "app/viewer/window/window_places.h"
 
 #include <gtest/gtest.h>
 

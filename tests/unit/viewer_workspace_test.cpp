@@ -6,9 +6,9 @@
 #include <array>
 #include <filesystem>
 
-#include "app/viewer/comparison.h"
-#include "app/viewer/scene_work.h"
-#include "app/viewer/start_settings.h"
+#include "app/viewer/compare/comparison.h"
+#include "app/viewer/state/scene_work.h"
+#include "app/viewer/state/start_settings.h"
 #include "base/file.h"
 #include "base/temporary_folder.h"
 #include "scene/load.h"

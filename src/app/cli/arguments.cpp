@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
-#include "lab/compare.h"
-#include "lab/light_text.h"
-#include "lab/preset_use.h"
+#include "lab/experiment/compare.h"
+#include "lab/view/light_text.h"
+#include "lab/view/preset_use.h"
 
 namespace gnomon::cli {
 

@@ -1,5 +1,5 @@
 // gnomon bench: times with the measuring protocol, side by side.
-#include "lab/bench.h"
+#include "lab/experiment/bench.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -9,8 +9,8 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/shell.h"
-#include "lab/compare.h"
-#include "lab/preset_use.h"
+#include "lab/experiment/compare.h"
+#include "lab/view/preset_use.h"
 #include "report/report.h"
 #include "scene/load.h"
 

@@ -7,7 +7,7 @@
 
 #include "gpu/device.h"
 #include "lab/plan/preset.h"
-#include "lab/session.h"
+#include "lab/view/session.h"
 
 namespace CLI {
 class App;

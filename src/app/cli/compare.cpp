@@ -1,5 +1,5 @@
 // gnomon compare: the main job.
-#include "lab/compare.h"
+#include "lab/experiment/compare.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "app/cli/command.h"
-#include "frame/layering_choice.h"
-#include "lab/measure_layering.h"
+#include "frame/casters/layering_choice.h"
+#include "lab/timing/measure_layering.h"
 
 namespace gnomon::cli {
 namespace {

@@ -1,5 +1,5 @@
 // gnomon render: one picture, or a sequence.
-#include "lab/render.h"
+#include "lab/experiment/render.h"
 
 #include <CLI/CLI.hpp>
 #include <set>

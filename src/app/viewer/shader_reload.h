@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "lab/shader_watch.h"
+#include "lab/live_shaders/shader_watch.h"
 
 namespace gnomon::viewer {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "app/viewer/attempt.h"
-#include "app/viewer/section.h"
-#include "app/viewer/start_settings.h"
+#include "app/viewer/panels/section.h"
+#include "app/viewer/state/start_settings.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 

@@ -6,16 +6,16 @@
 #include <memory>
 #include <optional>
 
-#include "app/viewer/camera_rig.h"
-#include "app/viewer/opening.h"
-#include "app/viewer/measure_panel.h"
-#include "app/viewer/pace.h"
-#include "app/viewer/render_scale.h"
-#include "app/viewer/scene_panel.h"
-#include "app/viewer/screen.h"
-#include "app/viewer/state_panels.h"
+#include "app/viewer/camera/camera_rig.h"
+#include "app/viewer/state/opening.h"
+#include "app/viewer/measure/measure_panel.h"
+#include "app/viewer/window/pace.h"
+#include "app/viewer/window/render_scale.h"
+#include "app/viewer/panels/scene_panel.h"
+#include "app/viewer/window/screen.h"
+#include "app/viewer/panels/state_panels.h"
 #include "app/viewer/status_file.h"
-#include "app/viewer/workspace.h"
+#include "app/viewer/state/workspace.h"
 
 namespace gnomon::viewer {
 

@@ -3,7 +3,7 @@
 #define GNOMON_SURFACE_GLSL
 #include "frame/glsl/frame_data.glsl"
 #include "frame/glsl/octahedral.glsl"
-#include "frame/glsl/sample_positions.glsl"
+#include "frame/surface/sample_positions.glsl"
 
 struct Surface {
   vec3 position_ws;

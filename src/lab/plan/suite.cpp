@@ -13,7 +13,7 @@
 
 namespace gnomon {
 
-// Made by the build (cmake/gnomon_embed.cmake) from suites/*.json.
+// Made by the build (cmake/gnomon_embed.cmake) from plan/suites/*.json.
 std::span<const std::pair<std::string_view, std::string_view>> embedded_suites();
 
 namespace {

@@ -1,5 +1,5 @@
 // Suites of benchmarks as data: runs, and what is said about them (ratios, figures, masks that must be equal). One JSON file
-// each (src/lab/suites/*.json, or a user's own): docs/measuring.md, "Suites".
+// each (src/lab/plan/suites/*.json, or a user's own): docs/measuring.md, "Suites".
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct PlotPoint {
 struct SuiteRun {
   std::string name;
   Preset view;            // scene, technique, settings; defaults and presets are already in it
-  std::string kernel;     // instead of a technique: "copy" or "surface_read" (lab/bench_kernels.h)
+  std::string kernel;     // instead of a technique: "copy" or "surface_read" (lab/timing/bench_kernels.h)
   uint32_t texels = 0;    // side of what "copy" copies
   bool counters = false;  // the table shows its draws and triangles pass by pass
   std::optional<PlotPoint> plot;

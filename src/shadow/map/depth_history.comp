@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/bindless.glsl"
-#include "frame/glsl/pixel_tile.glsl"
+#include "frame/surface/pixel_tile.glsl"
 #include "shadow/map/glsl/bilinear.glsl"
 #include "shadow/map/glsl/history.glsl"
 

@@ -1,7 +1,7 @@
 // The blend, and the copy into the depth map.
 #include "shadow/map/depth_history.h"
 
-#include "frame/glsl/pixel_tile.glsl"
+#include "frame/surface/pixel_tile.glsl"
 
 namespace gnomon {
 

@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "frame/glsl/pixel_tile.glsl"
-#include "frame/layering_choice.h"
+#include "frame/surface/pixel_tile.glsl"
+#include "frame/casters/layering_choice.h"
 #include "scene/light_shape.h"
 
 namespace gnomon {

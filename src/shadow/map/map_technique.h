@@ -1,7 +1,7 @@
 // A projection times a filter: renders the map, lets the filter convert it, resolves the mask.
 #pragma once
 
-#include "frame/caster_draws.h"
+#include "frame/casters/caster_draws.h"
 #include "shadow/map/depth_history.h"
 #include "shadow/registry.h"
 

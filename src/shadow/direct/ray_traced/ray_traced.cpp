@@ -1,7 +1,7 @@
 // One ray per visible surface point toward the light's centre, through the ray-tracing pipeline.
 // Cost: the acceleration structure (built once, static scene) and a ray per pixel. Fails: nothing but the emitter's size, which a
 // single ray cannot see: edges are hard.
-#include "frame/acceleration_structure.h"
+#include "frame/rays/acceleration_structure.h"
 #include "shadow/registry.h"
 
 namespace gnomon {

@@ -1,7 +1,7 @@
 // Exponential shadow maps (Annen et al. 2008; Salvi 2008): the comparison of two depths becomes the product of two exponentials, one
 // of which is stored and blurred. Cost: one conversion pass over one channel and one texture read. Fails: near contact, where caster
 // and receiver are nearer than some 1/c, and where the kernel sees something beyond the receiver.
-#include "shadow/map/moment_filter.h"
+#include "shadow/map/moments/moment_filter.h"
 #include "shadow/registry.h"
 
 namespace gnomon {

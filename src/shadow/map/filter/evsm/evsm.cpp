@@ -1,7 +1,7 @@
 // Exponential variance shadow maps (Lauritzen and McCool 2008, "Layered Variance Shadow Maps"): moments of exponentially warped depth.
 // Cost: as vsm with twice the channels. Fails: less bleeding than vsm, the less the larger the exponents, which floats limit; with
 // 16-bit floats the exponents are so small that much of it remains.
-#include "shadow/map/moment_filter.h"
+#include "shadow/map/moments/moment_filter.h"
 #include "shadow/registry.h"
 
 namespace gnomon {

@@ -1,7 +1,7 @@
 // Moment shadow maps (Peters and Klein 2015; transform and biases: Peters, Muenstermann, Wetzstein and Klein 2017): four moments of depth.
 // Cost: as vsm with twice the channels, at 16 bits each the same memory, and some forty operations more. Fails: three or more
 // layers of casters in one kernel bleed a little.
-#include "shadow/map/moment_filter.h"
+#include "shadow/map/moments/moment_filter.h"
 #include "shadow/registry.h"
 
 namespace gnomon {

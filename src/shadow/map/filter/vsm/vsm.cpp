@@ -1,7 +1,7 @@
 // Variance shadow maps (Donnelly and Lauritzen 2006): the map stores mean and mean square of depth, so that it can be blurred,
 // mipmapped and sampled like a texture. Cost: one conversion pass and one texture read. Fails: where two casters overlap along a ray
 // the variance is large and light bleeds into the deeper shadow.
-#include "shadow/map/moment_filter.h"
+#include "shadow/map/moments/moment_filter.h"
 #include "shadow/registry.h"
 
 namespace gnomon {

@@ -1,6 +1,0 @@
-// Casters, masked; layers by path geometry.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#define CASTER_GEOMETRY
-#define CASTER_ATTRIBUTES
-#include "frame/glsl/caster_vertex.glsl"

@@ -1,5 +1,0 @@
-// Casters, masked, by geometry shader.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#define CASTER_ATTRIBUTES
-#include "frame/glsl/caster_geometry.glsl"

@@ -1,6 +1,0 @@
-// Casters, opaque; layers by path multiview.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_multiview : require
-#define CASTER_MULTIVIEW
-#include "frame/glsl/caster_vertex.glsl"

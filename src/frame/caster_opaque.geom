@@ -1,4 +1,0 @@
-// Casters, opaque, by geometry shader.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#include "frame/glsl/caster_geometry.glsl"

@@ -1,5 +1,0 @@
-// Casters in paraboloid views, alpha-tested.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#define CASTER_MASKED
-#include "frame/glsl/caster_paraboloid.glsl"

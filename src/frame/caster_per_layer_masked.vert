@@ -1,6 +1,0 @@
-// Casters, masked; layers by path per_layer.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#define CASTER_PER_LAYER
-#define CASTER_ATTRIBUTES
-#include "frame/glsl/caster_vertex.glsl"

@@ -1,6 +1,0 @@
-// Casters, opaque; layers by path vertex_layer.
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#extension GL_ARB_shader_viewport_layer_array : require
-#define CASTER_VERTEX_LAYER
-#include "frame/glsl/caster_vertex.glsl"

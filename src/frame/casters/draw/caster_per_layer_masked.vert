@@ -1,0 +1,6 @@
+// Casters, masked; layers by path per_layer.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define CASTER_PER_LAYER
+#define CASTER_ATTRIBUTES
+#include "frame/casters/draw/caster_vertex.glsl"

@@ -1,0 +1,6 @@
+// Casters, opaque; layers by path vertex_layer.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_ARB_shader_viewport_layer_array : require
+#define CASTER_VERTEX_LAYER
+#include "frame/casters/draw/caster_vertex.glsl"
