@@ -10,7 +10,8 @@ namespace gnomon {
 
 class ChildProcess {
  public:
-  // The program (a path, or a name that PATH finds) and its arguments. Its stdin is empty. Throws Error where it cannot be started.
+  // The program (a path, or a name that PATH finds) and its arguments. Its stdin is empty. Throws Error where it cannot be
+  // started.
   explicit ChildProcess(const std::vector<std::string>& command);
   // Ends it where it still runs: SIGTERM, and waits.
   ~ChildProcess();

@@ -1,4 +1,5 @@
-// Ctrl-C and SIGTERM in long work: the handler only sets a flag; the work asks for it where it may stop, so nothing is left half-written.
+// Ctrl-C and SIGTERM in long work: the handler only sets a flag; the work asks for it where it may stop, so nothing is left
+// half-written.
 #pragma once
 
 #include <atomic>

@@ -53,8 +53,8 @@ class ProgressWatch {
   State state_;
 };
 
-// A progress bar, drawn on a terminal only, and only once the work has taken longer than a second. A ProgressWatch of its thread sees it
-// from the start.
+// A progress bar, drawn on a terminal only, and only once the work has taken longer than a second. A ProgressWatch of its
+// thread sees it from the start.
 class Progress {
  public:
   // title: what is being done; total: the number of steps (any unit).

@@ -12,9 +12,7 @@
 namespace gnomon {
 namespace {
 
-std::string join(const std::vector<std::string_view>& words) {
-  return fmt::format("{}", fmt::join(words, ", "));
-}
+std::string join(const std::vector<std::string_view>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
 // The whole text as a finite number, or NaN.
 double parse_number(std::string_view text) {
@@ -33,10 +31,14 @@ std::string_view ParamInfo::unit() const {
 
 std::string ParamInfo::valid_text() const {
   switch (type) {
-    case ParamType::float_: return fmt::format("a number from {} to {}", min, max);
-    case ParamType::int_: return fmt::format("a whole number from {} to {}", min, max);
-    case ParamType::bool_: return "true or false";
-    case ParamType::choice: return "one of " + join(choices);
+    case ParamType::float_:
+      return fmt::format("a number from {} to {}", min, max);
+    case ParamType::int_:
+      return fmt::format("a whole number from {} to {}", min, max);
+    case ParamType::bool_:
+      return "true or false";
+    case ParamType::choice:
+      return "one of " + join(choices);
   }
   return {};
 }
@@ -56,19 +58,28 @@ size_t ParamBlock::index_of(std::string_view name, std::string_view where) const
 
 void ParamBlock::store(size_t index, double value) {
   switch (table_[index].type) {
-    case ParamType::float_: words_[index] = std::bit_cast<uint32_t>(static_cast<float>(value)); break;
-    case ParamType::int_: words_[index] = static_cast<uint32_t>(static_cast<int32_t>(value)); break;
+    case ParamType::float_:
+      words_[index] = std::bit_cast<uint32_t>(static_cast<float>(value));
+      break;
+    case ParamType::int_:
+      words_[index] = static_cast<uint32_t>(static_cast<int32_t>(value));
+      break;
     case ParamType::bool_:
-    case ParamType::choice: words_[index] = static_cast<uint32_t>(value); break;
+    case ParamType::choice:
+      words_[index] = static_cast<uint32_t>(value);
+      break;
   }
 }
 
 double ParamBlock::value_at(size_t index) const {
   switch (table_[index].type) {
-    case ParamType::float_: return std::bit_cast<float>(words_[index]);
-    case ParamType::int_: return static_cast<int32_t>(words_[index]);
+    case ParamType::float_:
+      return std::bit_cast<float>(words_[index]);
+    case ParamType::int_:
+      return static_cast<int32_t>(words_[index]);
     case ParamType::bool_:
-    case ParamType::choice: return words_[index];
+    case ParamType::choice:
+      return words_[index];
   }
   return 0.0;
 }
@@ -79,7 +90,9 @@ void ParamBlock::set(std::string_view name, std::string_view text, std::string_v
   double value = std::nan("");
   switch (info.type) {
     case ParamType::float_:
-    case ParamType::int_: value = parse_number(text); break;
+    case ParamType::int_:
+      value = parse_number(text);
+      break;
     case ParamType::bool_:
       if (text == "true" || text == "1" || text == "on") value = 1.0;
       if (text == "false" || text == "0" || text == "off") value = 0.0;
@@ -110,10 +123,14 @@ std::string ParamBlock::text(std::string_view name) const {
   const size_t index = index_of(name, name);
   const ParamInfo& info = table_[index];
   switch (info.type) {
-    case ParamType::float_: return fmt::format("{}", std::bit_cast<float>(words_[index]));
-    case ParamType::int_: return fmt::format("{}", static_cast<int32_t>(words_[index]));
-    case ParamType::bool_: return words_[index] ? "true" : "false";
-    case ParamType::choice: return std::string(info.choices[words_[index]]);
+    case ParamType::float_:
+      return fmt::format("{}", std::bit_cast<float>(words_[index]));
+    case ParamType::int_:
+      return fmt::format("{}", static_cast<int32_t>(words_[index]));
+    case ParamType::bool_:
+      return words_[index] ? "true" : "false";
+    case ParamType::choice:
+      return std::string(info.choices[words_[index]]);
   }
   return {};
 }
@@ -124,10 +141,18 @@ nlohmann::json ParamBlock::to_json() const {
     const std::string key(table_[i].name);
     switch (table_[i].type) {
       // Through the shortest text of the float, so that 0.1f is not written as 0.10000000149.
-      case ParamType::float_: object[key] = parse_number(text(key)); break;
-      case ParamType::int_: object[key] = static_cast<int32_t>(words_[i]); break;
-      case ParamType::bool_: object[key] = words_[i] != 0; break;
-      case ParamType::choice: object[key] = text(key); break;
+      case ParamType::float_:
+        object[key] = parse_number(text(key));
+        break;
+      case ParamType::int_:
+        object[key] = static_cast<int32_t>(words_[i]);
+        break;
+      case ParamType::bool_:
+        object[key] = words_[i] != 0;
+        break;
+      case ParamType::choice:
+        object[key] = text(key);
+        break;
     }
   }
   return object;

@@ -24,8 +24,8 @@ struct ParamInfo {
   std::string_view help;  // one sentence; ends in "[unit]" where there is one
   std::vector<std::string_view> choices = {};
 
-  std::string_view unit() const;    // the text between the brackets, or empty
-  std::string valid_text() const;   // "0 to 10", "true or false", "scene, view": for errors and `describe`
+  std::string_view unit() const;   // the text between the brackets, or empty
+  std::string valid_text() const;  // "0 to 10", "true or false", "scene, view": for errors and `describe`
 };
 
 using ParamTable = std::span<const ParamInfo>;
@@ -42,7 +42,7 @@ class ParamBlock {
   void set(std::string_view name, std::string_view text, std::string_view where);
   void set_number(std::string_view name, double value, std::string_view where);
 
-  double number(std::string_view name) const;  // of a bool 0 or 1, of a choice its index
+  double number(std::string_view name) const;     // of a bool 0 or 1, of a choice its index
   std::string text(std::string_view name) const;  // as `set` reads it
   nlohmann::json to_json() const;                 // object: name -> number, bool or string
 

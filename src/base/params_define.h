@@ -12,8 +12,7 @@ enum : uint32_t {
 #define PARAM_CHOICE2(name, a, b, value, update, help) name##_##a = 0, name##_##b,
 #define PARAM_CHOICE3(name, a, b, c, value, update, help) name##_##a = 0, name##_##b, name##_##c,
 #define PARAM_CHOICE4(name, a, b, c, d, value, update, help) name##_##a = 0, name##_##b, name##_##c, name##_##d,
-#define PARAM_CHOICE5(name, a, b, c, d, e, value, update, help) \
-  name##_##a = 0, name##_##b, name##_##c, name##_##d, name##_##e,
+#define PARAM_CHOICE5(name, a, b, c, d, e, value, update, help) name##_##a = 0, name##_##b, name##_##c, name##_##d, name##_##e,
 #include GNOMON_PARAMS_FILE
 #include "base/params_undefine.h"
   k_choices_end

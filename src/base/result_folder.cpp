@@ -32,7 +32,8 @@ std::vector<json> readable_lines(const fs::path& path) {
   const std::string text = read_text_file(path);
   for (size_t begin = 0; begin < text.size();) {
     const size_t end = std::min(text.find('\n', begin), text.size());
-    json line = json::parse(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
+    json line = json::parse(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end),
+                            nullptr, false);
     if (line.is_object()) lines.push_back(std::move(line));
     begin = end + 1;
   }
@@ -88,7 +89,8 @@ void replace(const fs::path& folder) {
     }
     if (fs::is_directory(from / k_images)) {
       make_folder(folder / k_images);
-      for (const auto& picture : fs::directory_iterator(from / k_images)) move(picture.path(), folder / k_images / picture.path().filename());
+      for (const auto& picture : fs::directory_iterator(from / k_images))
+        move(picture.path(), folder / k_images / picture.path().filename());
     }
     move(from / k_lines, folder / k_lines);
   }
@@ -138,7 +140,8 @@ std::optional<json> ResultFolder::take_kept(const json& line, std::span<const ch
       if (!kept.contains(key) || !line.contains(key) || kept[key].dump() != line[key].dump()) return false;
     }
     const auto pictures = pictures_of(std::vector<json>(1, kept));
-    return std::all_of(pictures.begin(), pictures.end(), [&](const fs::path& picture) { return fs::is_regular_file(unfinished_ / picture); });
+    return std::all_of(pictures.begin(), pictures.end(),
+                       [&](const fs::path& picture) { return fs::is_regular_file(unfinished_ / picture); });
   };
   const auto found = std::find_if(kept_.begin(), kept_.end(), equal);
   if (found == kept_.end()) return std::nullopt;

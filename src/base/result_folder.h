@@ -1,5 +1,6 @@
-// A folder of results that is replaced as a whole: a run writes into a folder inside it and takes the place of the former result when
-// it is finished. At any moment DIR holds one complete result, or none, and beside it a folder that says what is unfinished.
+// A folder of results that is replaced as a whole: a run writes into a folder inside it and takes the place of the former
+// result when it is finished. At any moment DIR holds one complete result, or none, and beside it a folder that says what is
+// unfinished.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +14,8 @@ namespace gnomon {
 
 class ResultFolder {
  public:
-  // Makes the folder where it is absent. resume: what an unfinished run left there is kept, else it is dropped. Throws Error where
-  // the folder cannot be written, or another run writes into it.
+  // Makes the folder where it is absent. resume: what an unfinished run left there is kept, else it is dropped. Throws Error
+  // where the folder cannot be written, or another run writes into it.
   ResultFolder(std::filesystem::path folder, bool resume);
   // Drops a run that has no line yet; leaves another as unfinished.
   ~ResultFolder();
@@ -32,10 +33,11 @@ class ResultFolder {
   void add(nlohmann::json line);
   const std::vector<nlohmann::json>& lines() const { return lines_; }
 
-  // After the last line: drops kept lines that nobody took and pictures that no line names. What is to be written beside the lines
-  // (the report) can be made now.
+  // After the last line: drops kept lines that nobody took and pictures that no line names. What is to be written beside the
+  // lines (the report) can be made now.
   void complete();
-  // The finished run takes the place of the former result, whose lines, pictures and report go. Files that are no part of a result stay.
+  // The finished run takes the place of the former result, whose lines, pictures and report go. Files that are no part of a
+  // result stay.
   void publish();
 
  private:

@@ -10,8 +10,8 @@ std::filesystem::path home_folder();
 
 enum class UserFolder { cache, state };
 
-// This program's own: $XDG_CACHE_HOME/gnomon, or ~/.cache/gnomon; $XDG_STATE_HOME/gnomon, or ~/.local/state/gnomon. Empty where there is
-// no home. It need not exist.
+// This program's own: $XDG_CACHE_HOME/gnomon, or ~/.cache/gnomon; $XDG_STATE_HOME/gnomon, or ~/.local/state/gnomon. Empty where
+// there is no home. It need not exist.
 std::filesystem::path user_folder(UserFolder folder);
 
 }  // namespace gnomon

@@ -5,16 +5,16 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "frame/surface/pixel_tile.glsl"
 #include "frame/light_data.h"
+#include "frame/surface/pixel_tile.glsl"
 
 namespace gnomon {
 namespace {
 
 constexpr uvec2 k_group = {8, 8};
 
-// The irradiance that pictures are exposed for: of a surface that faces the brightest light (from the middle of the scene). Files
-// state lights in anything from 1 to 100 000 lux.
+// The irradiance that pictures are exposed for: of a surface that faces the brightest light (from the middle of the scene).
+// Files state lights in anything from 1 to 100 000 lux.
 float key_irradiance(std::span<const Light> lights, const Box& bounds) {
   float key = 0.0f;
   for (const Light& light : lights) {
@@ -172,9 +172,15 @@ void Frame::record_surface(Recorder& recorder) {
   });
 
   recorder.pass("surface/pack", PassStage::surface,
-                {{albedo_, Use::compute_read}, {normal_, Use::compute_read}, {id_, Use::compute_read}, {depth_, Use::compute_read},
-                 {view_z_, Use::compute_write}, {geometric_normal_, Use::compute_write}, {item_, Use::compute_write},
-                 {primitive_, Use::compute_write}, {share_, Use::compute_write}},
+                {{albedo_, Use::compute_read},
+                 {normal_, Use::compute_read},
+                 {id_, Use::compute_read},
+                 {depth_, Use::compute_read},
+                 {view_z_, Use::compute_write},
+                 {geometric_normal_, Use::compute_write},
+                 {item_, Use::compute_write},
+                 {primitive_, Use::compute_write},
+                 {share_, Use::compute_write}},
                 [&](Commands& commands) {
                   commands.bind(pack_pipeline_);
                   commands.push(frame_data_.address());

@@ -24,9 +24,9 @@ class Frame {
   // Throws Error (device) for a sample count that the device does not offer, naming those it does.
   Frame(Device& device, const GpuScene& scene, uvec2 size, uint32_t samples, std::span<const Light> lights);
 
-  // Another size. Memory grows to the largest size so far and is then kept: a smaller frame uses a part of it, so a size may change
-  // with every frame. Techniques stay valid. What was drawn is lost; set_camera must follow. Throws Error where memory is used up, and keeps
-  // the old size.
+  // Another size. Memory grows to the largest size so far and is then kept: a smaller frame uses a part of it, so a size may
+  // change with every frame. Techniques stay valid. What was drawn is lost; set_camera must follow. Throws Error where memory
+  // is used up, and keeps the old size.
   void resize(uvec2 size);
 
   // What techniques read: valid between set_camera and the next one.
@@ -43,7 +43,8 @@ class Frame {
   uvec2 size() const { return size_; }
   uint32_t samples() const { return samples_; }
   size_t sample_count() const { return size_t{size_.x} * size_.y * samples_; }
-  // View depths (metres) between which the scene's bounds can be seen: {near plane, farthest corner}, for fits that slice the view.
+  // View depths (metres) between which the scene's bounds can be seen: {near plane, farthest corner}, for fits that slice the
+  // view.
   std::pair<float, float> visible_range() const;
   uint64_t data_address() const { return frame_data_.address(); }
   const Pipeline& cull_pipeline() const { return cull_pipeline_; }

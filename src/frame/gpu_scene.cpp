@@ -17,14 +17,16 @@ constexpr size_t k_max_id = size_t{1} << 24;  // ids travel as floats through th
 
 uint32_t pack_colour(const vec4& colour) {
   uint32_t packed = 0;
-  for (int i = 0; i < 4; ++i) packed |= static_cast<uint32_t>(std::lround(glm::clamp(colour[i], 0.0f, 1.0f) * 255.0f)) << (8 * i);
+  for (int i = 0; i < 4; ++i)
+    packed |= static_cast<uint32_t>(std::lround(glm::clamp(colour[i], 0.0f, 1.0f) * 255.0f)) << (8 * i);
   return packed;
 }
 
 VertexAttributes pack_vertex(const MeshPart& part, size_t i) {
   const vec4& tangent = part.tangents[i];
   const uint32_t handedness = tangent.w < 0.0f ? 1u : 0u;
-  return {part.uvs[i], pack_normal(part.normals[i]), (pack_normal(vec3(tangent)) & ~1u) | handedness, pack_colour(part.colours[i])};
+  return {part.uvs[i], pack_normal(part.normals[i]), (pack_normal(vec3(tangent)) & ~1u) | handedness,
+          pack_colour(part.colours[i])};
 }
 
 }  // namespace
@@ -95,7 +97,9 @@ void GpuScene::upload_geometry() {
   std::vector<std::vector<PartRange>> ranges(scene_.meshes.size());
   for (size_t m = 0; m < scene_.meshes.size(); ++m) {
     for (const MeshPart& part : scene_.meshes[m].parts) {
-      if (part.triangle_count() >= k_max_id) fail("mesh '{}': {} triangles in one part; at most {} are supported", scene_.meshes[m].name, part.triangle_count(), k_max_id);
+      if (part.triangle_count() >= k_max_id)
+        fail("mesh '{}': {} triangles in one part; at most {} are supported", scene_.meshes[m].name, part.triangle_count(),
+             k_max_id);
       PartRange range = {static_cast<uint32_t>(indices.size()), static_cast<uint32_t>(positions.size()), {}};
       for (const uint32_t vertex : part.indices) range.bounds.add(part.positions[vertex]);
       ranges[m].push_back(range);
@@ -104,7 +108,8 @@ void GpuScene::upload_geometry() {
       for (size_t i = 0; i < part.positions.size(); ++i) attributes.push_back(pack_vertex(part, i));
     }
   }
-  if (positions.size() > 0xffffffffu || indices.size() > 0xffffffffu) fail("{}: more than 2^32 vertices or indices", scene_.name);
+  if (positions.size() > 0xffffffffu || indices.size() > 0xffffffffu)
+    fail("{}: more than 2^32 vertices or indices", scene_.name);
 
   std::vector<std::vector<DrawItem>> by_bucket(k_bucket_count);
   for (size_t o = 0; o < scene_.objects.size(); ++o) {

@@ -10,7 +10,8 @@
 namespace gnomon {
 namespace {
 
-void mip_barrier(VkCommandBuffer commands, VkImage image, uint32_t first, uint32_t count, VkImageLayout from, VkImageLayout to) {
+void mip_barrier(VkCommandBuffer commands, VkImage image, uint32_t first, uint32_t count, VkImageLayout from,
+                 VkImageLayout to) {
   VkImageMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
   barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
@@ -48,9 +49,11 @@ Image upload_texture(Device& device, const Texture& texture) {
     copy.imageExtent = {width, height, 1};
     vkCmdCopyBufferToImage(commands, staging.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
     for (uint32_t mip = 1; mip < info.mips; ++mip) {
-      mip_barrier(commands, image.handle(), mip - 1, 1, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+      mip_barrier(commands, image.handle(), mip - 1, 1, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                  VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
       const auto extent = [&](uint32_t level) {
-        return VkOffset3D{static_cast<int32_t>(std::max(width >> level, 1u)), static_cast<int32_t>(std::max(height >> level, 1u)), 1};
+        return VkOffset3D{static_cast<int32_t>(std::max(width >> level, 1u)),
+                          static_cast<int32_t>(std::max(height >> level, 1u)), 1};
       };
       VkImageBlit blit = {};
       blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip - 1, 0, 1};
@@ -61,9 +64,11 @@ Image upload_texture(Device& device, const Texture& texture) {
                      VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_LINEAR);
     }
     if (info.mips > 1) {
-      mip_barrier(commands, image.handle(), 0, info.mips - 1, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL);
+      mip_barrier(commands, image.handle(), 0, info.mips - 1, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                  VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL);
     }
-    mip_barrier(commands, image.handle(), info.mips - 1, 1, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL);
+    mip_barrier(commands, image.handle(), info.mips - 1, 1, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL);
   });
   return image;
 }

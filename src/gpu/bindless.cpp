@@ -57,7 +57,8 @@ void Bindless::create_layouts(VkShaderStageFlags stages) {
       bindings.push_back({binding.binding, binding.type, binding.count, stages, nullptr});
       flags.push_back(binding.flags);
     }
-    VkDescriptorSetLayoutBindingFlagsCreateInfo flags_info = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
+    VkDescriptorSetLayoutBindingFlagsCreateInfo flags_info = {
+        VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO};
     flags_info.bindingCount = static_cast<uint32_t>(flags.size());
     flags_info.pBindingFlags = flags.data();
     VkDescriptorSetLayoutCreateInfo layout = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, &flags_info};
@@ -139,7 +140,8 @@ Bindless::~Bindless() {
 uint32_t Bindless::add(Kind kind, VkImageView view) {
   const Binding& binding = k_bindings[static_cast<size_t>(kind)];
   Slots& slots = slots_[static_cast<size_t>(kind)];
-  if (slots.free.empty() && slots.next == binding.count) fail("more than {} images of one kind are in use at once", binding.count);
+  if (slots.free.empty() && slots.next == binding.count)
+    fail("more than {} images of one kind are in use at once", binding.count);
   uint32_t index = slots.next;
   if (slots.free.empty()) {
     ++slots.next;
@@ -148,7 +150,8 @@ uint32_t Bindless::add(Kind kind, VkImageView view) {
     slots.free.pop_back();
   }
   const bool storage = kind == Kind::storage;
-  const VkDescriptorImageInfo image = {VK_NULL_HANDLE, view, storage ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+  const VkDescriptorImageInfo image = {VK_NULL_HANDLE, view,
+                                       storage ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
   VkWriteDescriptorSet write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
   write.dstSet = sets_[binding.set];
   write.dstBinding = binding.binding;

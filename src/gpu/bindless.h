@@ -1,6 +1,7 @@
-// The two descriptor sets that every pipeline has: what a scene brings (material textures, samplers) and what a frame makes (maps,
-// attachments, storage images), each by index. Buffers go by device address. Two sets, because synchronization validation takes
-// every descriptor of an array for used: draws that read materials would else "read" the image they are drawing to.
+// The two descriptor sets that every pipeline has: what a scene brings (material textures, samplers) and what a frame makes
+// (maps, attachments, storage images), each by index. Buffers go by device address. Two sets, because synchronization
+// validation takes every descriptor of an array for used: draws that read materials would else "read" the image they are
+// drawing to.
 #pragma once
 
 #include <array>

@@ -39,7 +39,9 @@ void Buffer::invalidate() const {
   vk_check(vmaInvalidateAllocation(device_->allocator(), allocation_, 0, VK_WHOLE_SIZE), "vmaInvalidateAllocation");
 }
 
-void Buffer::flush() const { vk_check(vmaFlushAllocation(device_->allocator(), allocation_, 0, VK_WHOLE_SIZE), "vmaFlushAllocation"); }
+void Buffer::flush() const {
+  vk_check(vmaFlushAllocation(device_->allocator(), allocation_, 0, VK_WHOLE_SIZE), "vmaFlushAllocation");
+}
 
 void Buffer::release() noexcept {
   if (!buffer_) return;

@@ -23,7 +23,8 @@ class Buffer {
  public:
   Buffer() = default;
   // bytes > 0. `extra_usage` adds to storage, transfer, indirect and device-address use.
-  Buffer(Device& device, std::string name, size_t bytes, BufferMemory memory = BufferMemory::device, VkBufferUsageFlags extra_usage = 0);
+  Buffer(Device& device, std::string name, size_t bytes, BufferMemory memory = BufferMemory::device,
+         VkBufferUsageFlags extra_usage = 0);
   ~Buffer() { release(); }
   Buffer(Buffer&& other) noexcept { swap(other); }
   Buffer& operator=(Buffer&& other) noexcept {

@@ -13,7 +13,8 @@ void Commands::bind(const Pipeline& pipeline) {
 
 void Commands::push_bytes(std::span<const std::byte> bytes) {
   GNOMON_ASSERT(bytes.size() <= Bindless::k_push_constant_bytes && bytes.size() % 4 == 0);
-  vkCmdPushConstants(commands_, device_->pipeline_layout(), VK_SHADER_STAGE_ALL, 0, static_cast<uint32_t>(bytes.size()), bytes.data());
+  vkCmdPushConstants(commands_, device_->pipeline_layout(), VK_SHADER_STAGE_ALL, 0, static_cast<uint32_t>(bytes.size()),
+                     bytes.data());
 }
 
 void Commands::dispatch(uvec2 count, uvec2 group) {
@@ -27,8 +28,8 @@ void Commands::dispatch(glm::uvec3 groups) {
 }
 
 void Commands::compute_barrier() {
-  memory_barrier(commands_, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                 VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT);
+  memory_barrier(commands_, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT,
+                 VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT);
 }
 
 void Commands::dispatch_1d(uint32_t count, uint32_t group) { dispatch({count, 1}, {group, 1}); }
@@ -66,8 +67,8 @@ void Commands::end_rendering() { vkCmdEndRendering(commands_); }
 
 void Commands::cull_mode(VkCullModeFlags mode) { vkCmdSetCullMode(commands_, mode); }
 
-void Commands::draw_indirect(const Buffer& indices, const Buffer& draws, size_t draws_offset, const Buffer& counts, size_t count_offset,
-                             uint32_t max_draws) {
+void Commands::draw_indirect(const Buffer& indices, const Buffer& draws, size_t draws_offset, const Buffer& counts,
+                             size_t count_offset, uint32_t max_draws) {
   vkCmdBindIndexBuffer(commands_, indices.handle(), 0, VK_INDEX_TYPE_UINT32);
   vkCmdDrawIndexedIndirectCount(commands_, draws.handle(), draws_offset, counts.handle(), count_offset, max_draws,
                                 sizeof(VkDrawIndexedIndirectCommand));

@@ -36,17 +36,20 @@ std::string describe(const std::vector<DeviceInfo>& infos) {
 
 // The index of the device to use.
 size_t choose(const std::vector<DeviceInfo>& infos, const std::string& choice) {
-  if (infos.empty()) fail_device("no Vulkan device is present; on a machine without a GPU install a CPU driver (Debian: mesa-vulkan-drivers)");
+  if (infos.empty())
+    fail_device("no Vulkan device is present; on a machine without a GPU install a CPU driver (Debian: mesa-vulkan-drivers)");
   std::vector<size_t> fitting;
   for (size_t i = 0; i < infos.size(); ++i) {
     size_t number = 0;
     const auto [end, error] = std::from_chars(choice.data(), choice.data() + choice.size(), number);
     const bool is_number = !choice.empty() && error == std::errc() && end == choice.data() + choice.size();
-    const bool named = choice.empty() || (is_number ? number == i : lower(infos[i].name).find(lower(choice)) != std::string::npos);
+    const bool named =
+        choice.empty() || (is_number ? number == i : lower(infos[i].name).find(lower(choice)) != std::string::npos);
     if (named && infos[i].missing.empty()) fitting.push_back(i);
   }
   if (fitting.empty()) {
-    fail_device("no usable Vulkan device{}; there are:{}", choice.empty() ? "" : fmt::format(" matches '{}'", choice), describe(infos));
+    fail_device("no usable Vulkan device{}; there are:{}", choice.empty() ? "" : fmt::format(" matches '{}'", choice),
+                describe(infos));
   }
   return *std::min_element(fitting.begin(), fitting.end(),
                            [&](size_t a, size_t b) { return preference(infos[a]) < preference(infos[b]); });
@@ -61,7 +64,8 @@ std::vector<DeviceInfo> list_devices() {
   return infos;
 }
 
-Device::Device(const DeviceOptions& options) : instance_(options.validate || validation_wanted(), options.window.instance_extensions) {
+Device::Device(const DeviceOptions& options)
+    : instance_(options.validate || validation_wanted(), options.window.instance_extensions) {
   const auto physical = instance_.physical_devices();
   std::vector<DeviceInfo> infos;
   const bool with_window = options.window.can_present != nullptr;
@@ -70,7 +74,8 @@ Device::Device(const DeviceOptions& options) : instance_(options.validate || val
     // A device with missing features may lack the queue family, too.
     if (!with_window || !infos.back().missing.empty()) continue;
     const bool presents = options.window.can_present(instance_.handle(), candidate, find_queue_family(candidate));
-    if (!has_device_extension(candidate, VK_KHR_SWAPCHAIN_EXTENSION_NAME) || !presents) infos.back().missing.emplace_back("pictures in a window");
+    if (!has_device_extension(candidate, VK_KHR_SWAPCHAIN_EXTENSION_NAME) || !presents)
+      infos.back().missing.emplace_back("pictures in a window");
   }
   const size_t index = choose(infos, options.choice);
   physical_ = physical[index];
@@ -140,7 +145,8 @@ Device::~Device() {
 
 void Device::check_device(VkResult result, const char* call) {
   if (result == VK_ERROR_DEVICE_LOST) {
-    throw DeviceLost(fmt::format("{}: the GPU was lost (hung, reset or removed); the last recorded pass was '{}'", call, last_pass_));
+    throw DeviceLost(
+        fmt::format("{}: the GPU was lost (hung, reset or removed); the last recorded pass was '{}'", call, last_pass_));
   }
   vk_check(result, call);
 }

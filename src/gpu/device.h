@@ -19,13 +19,13 @@ namespace gnomon {
 struct DeviceInfo {
   std::string name, driver, driver_version, type;  // type: "discrete", "integrated", "virtual", "cpu", "other"
   uint32_t api_version = 0;
-  bool software = false;           // timestamps may lie: passes are submitted alone and timed by the wall clock
-  bool ray_tracing = false;        // ray-tracing pipeline and acceleration structures
-  bool ray_query = false;          // reported only
+  bool software = false;     // timestamps may lie: passes are submitted alone and timed by the wall clock
+  bool ray_tracing = false;  // ray-tracing pipeline and acceleration structures
+  bool ray_query = false;    // reported only
   bool anisotropy = false;
   bool depth_clamp = false;
   bool pipeline_statistics = false;
-  bool vertex_layer = false;       // gl_Layer from the vertex shader
+  bool vertex_layer = false;  // gl_Layer from the vertex shader
   bool multiview = false, geometry_shader = false, mesh_shader = false;
   float max_anisotropy = 1.0f;
   double timestamp_ms = 0.0;       // per tick; 0: the queue has no timestamps
@@ -56,7 +56,7 @@ struct WindowNeeds {
 };
 
 struct DeviceOptions {
-  std::string choice;     // part of the device's name, or its number in `gnomon list devices`; empty: a hardware GPU first
+  std::string choice;  // part of the device's name, or its number in `gnomon list devices`; empty: a hardware GPU first
   bool validate = false;
   WindowNeeds window = {};
 };
@@ -81,8 +81,8 @@ class Device {
   Bindless& bindless() { return *bindless_; }
   VkPipelineLayout pipeline_layout() const { return bindless_->pipeline_layout(); }
 
-  // Begins and ends the one-queue timeline: submit returns the value that `wait` waits for. The semaphores are those of a window,
-  // which knows no timeline: what the commands copy waits for `acquired`; `finished` is for the presentation.
+  // Begins and ends the one-queue timeline: submit returns the value that `wait` waits for. The semaphores are those of a
+  // window, which knows no timeline: what the commands copy waits for `acquired`; `finished` is for the presentation.
   uint64_t submit(VkCommandBuffer commands, VkSemaphore acquired = VK_NULL_HANDLE, VkSemaphore finished = VK_NULL_HANDLE);
   void wait(uint64_t value);
 
@@ -110,7 +110,9 @@ class Device {
 
   // Bytes of all live buffers and images: a technique's memory is the difference that building it makes.
   uint64_t allocated_bytes() const { return allocated_bytes_; }
-  void note_allocation(int64_t bytes) { allocated_bytes_ = static_cast<uint64_t>(static_cast<int64_t>(allocated_bytes_) + bytes); }
+  void note_allocation(int64_t bytes) {
+    allocated_bytes_ = static_cast<uint64_t>(static_cast<int64_t>(allocated_bytes_) + bytes);
+  }
 
  private:
   void create_device(bool with_window);

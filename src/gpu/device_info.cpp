@@ -13,7 +13,8 @@ std::vector<std::string> device_extensions(VkPhysicalDevice physical) {
   uint32_t count = 0;
   vk_check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr), "vkEnumerateDeviceExtensionProperties");
   std::vector<VkExtensionProperties> properties(count);
-  vk_check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, properties.data()), "vkEnumerateDeviceExtensionProperties");
+  vk_check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, properties.data()),
+           "vkEnumerateDeviceExtensionProperties");
   std::vector<std::string> names;
   for (const auto& property : properties) names.emplace_back(property.extensionName);
   return names;
@@ -21,11 +22,16 @@ std::vector<std::string> device_extensions(VkPhysicalDevice physical) {
 
 std::string type_name(VkPhysicalDeviceType type) {
   switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return "discrete";
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return "integrated";
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return "virtual";
-    case VK_PHYSICAL_DEVICE_TYPE_CPU: return "cpu";
-    default: return "other";
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return "virtual";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+      return "cpu";
+    default:
+      return "other";
   }
 }
 
@@ -132,12 +138,15 @@ DeviceInfo device_info(VkPhysicalDevice physical) {
   VkPhysicalDeviceVulkan11Features v11 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES};
   VkPhysicalDeviceVulkan12Features v12 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
   VkPhysicalDeviceVulkan13Features v13 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
-  VkPhysicalDeviceAccelerationStructureFeaturesKHR as_features = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
-  VkPhysicalDeviceRayTracingPipelineFeaturesKHR rt_features = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR};
+  VkPhysicalDeviceAccelerationStructureFeaturesKHR as_features = {
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
+  VkPhysicalDeviceRayTracingPipelineFeaturesKHR rt_features = {
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR};
 
   VkPhysicalDeviceProperties basic;
   vkGetPhysicalDeviceProperties(physical, &basic);
-  const bool ray_extensions = has(VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME) && has(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME) &&
+  const bool ray_extensions = has(VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME) &&
+                              has(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME) &&
                               has(VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME);
   properties.pNext = &driver;
   if (ray_extensions) {
@@ -191,7 +200,8 @@ DeviceInfo device_info(VkPhysicalDevice physical) {
 FeatureChain::FeatureChain(const DeviceInfo& info) {
   auto& core = features.features;
   core.multiDrawIndirect = core.drawIndirectFirstInstance = core.shaderInt64 = VK_TRUE;
-  core.shaderStorageImageReadWithoutFormat = core.shaderStorageImageWriteWithoutFormat = core.shaderStorageImageExtendedFormats = VK_TRUE;
+  core.shaderStorageImageReadWithoutFormat = core.shaderStorageImageWriteWithoutFormat =
+      core.shaderStorageImageExtendedFormats = VK_TRUE;
   core.geometryShader = VK_TRUE;
   core.samplerAnisotropy = info.anisotropy;
   core.depthClamp = info.depth_clamp;

@@ -15,11 +15,13 @@ Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(in
                                                                       VK_IMAGE_TILING_OPTIMAL, info.usage, 0, &limits);
   const std::string what = fmt::format("image '{}' ({} x {}, {} layers)", info.name, info.width, info.height, info.layers);
   if (supported == VK_ERROR_FORMAT_NOT_SUPPORTED || !(limits.sampleCounts & info.samples)) {
-    fail_device("{}: the device cannot use format {} with {} samples this way", what, static_cast<int>(info.format), info.samples);
+    fail_device("{}: the device cannot use format {} with {} samples this way", what, static_cast<int>(info.format),
+                info.samples);
   }
   vk_check(supported, "vkGetPhysicalDeviceImageFormatProperties");
   if (info.width > limits.maxExtent.width || info.height > limits.maxExtent.height || info.layers > limits.maxArrayLayers) {
-    fail_device("{}: the device's limit is {} x {}, {} layers", what, limits.maxExtent.width, limits.maxExtent.height, limits.maxArrayLayers);
+    fail_device("{}: the device's limit is {} x {}, {} layers", what, limits.maxExtent.width, limits.maxExtent.height,
+                limits.maxArrayLayers);
   }
 
   VkImageCreateInfo create = {VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
@@ -60,7 +62,8 @@ Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(in
 }
 
 VkImageAspectFlags Image::aspect() const {
-  return info_.format == VK_FORMAT_D32_SFLOAT || info_.format == VK_FORMAT_D16_UNORM ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+  return info_.format == VK_FORMAT_D32_SFLOAT || info_.format == VK_FORMAT_D16_UNORM ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                                                     : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
 void Image::create_views() {

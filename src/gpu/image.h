@@ -40,7 +40,7 @@ class Image {
 
   explicit operator bool() const { return image_ != VK_NULL_HANDLE; }
   VkImage handle() const { return image_; }
-  VkImageView view() const { return view_; }                      // all layers and mips
+  VkImageView view() const { return view_; }                                    // all layers and mips
   VkImageView layer_view(uint32_t layer) const { return layer_views_[layer]; }  // mip 0, as an attachment
   VkImageView attachment_view() const { return attachment_view_; }              // the same of all layers
   const ImageInfo& info() const { return info_; }
@@ -67,7 +67,7 @@ class Image {
   VkImageView attachment_view_ = VK_NULL_HANDLE;
   std::vector<VkImageView> part_views_;  // every view but view_, for destruction
   uint32_t sampled_ = k_no_index;
-  std::vector<uint32_t> storages_;      // one per mip
+  std::vector<uint32_t> storages_;  // one per mip
   std::shared_ptr<ResourceState> state_;
 };
 

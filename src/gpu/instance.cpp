@@ -45,7 +45,8 @@ bool has_debug_utils() {
   uint32_t count = 0;
   vk_check(vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr), "vkEnumerateInstanceExtensionProperties");
   std::vector<VkExtensionProperties> extensions(count);
-  vk_check(vkEnumerateInstanceExtensionProperties(nullptr, &count, extensions.data()), "vkEnumerateInstanceExtensionProperties");
+  vk_check(vkEnumerateInstanceExtensionProperties(nullptr, &count, extensions.data()),
+           "vkEnumerateInstanceExtensionProperties");
   for (const auto& extension : extensions) {
     if (std::strcmp(extension.extensionName, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0) return true;
   }

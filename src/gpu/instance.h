@@ -22,8 +22,8 @@ class ValidationLog {
 
 class Instance {
  public:
-  // validate: core and synchronization validation; `extensions`: those of a window. Throws Error (device) when there is no Vulkan,
-  // or no validation layer.
+  // validate: core and synchronization validation; `extensions`: those of a window. Throws Error (device) when there is no
+  // Vulkan, or no validation layer.
   explicit Instance(bool validate, std::vector<const char*> extensions = {});
   ~Instance();
   Instance(const Instance&) = delete;

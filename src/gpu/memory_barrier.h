@@ -6,8 +6,8 @@
 namespace gnomon {
 
 // One global memory barrier: what `from` wrote is made available to `to`.
-inline void memory_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from_stages, VkAccessFlags2 from_access, VkPipelineStageFlags2 to_stages,
-                           VkAccessFlags2 to_access) {
+inline void memory_barrier(VkCommandBuffer commands, VkPipelineStageFlags2 from_stages, VkAccessFlags2 from_access,
+                           VkPipelineStageFlags2 to_stages, VkAccessFlags2 to_access) {
   VkMemoryBarrier2 barrier = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
   barrier.srcStageMask = from_stages;
   barrier.srcAccessMask = from_access;

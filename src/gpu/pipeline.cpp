@@ -79,7 +79,9 @@ Pipeline make_compute_pipeline(Device& device, std::string_view shader, const Sp
   return {device, pipeline, VK_PIPELINE_BIND_POINT_COMPUTE};
 }
 
-Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info) { return make_graphics_pipeline(device, info, {}); }
+Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info) {
+  return make_graphics_pipeline(device, info, {});
+}
 
 Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info, const PipelineTarget& target) {
   const Specialisation specialisation(info.constants);
@@ -110,7 +112,8 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
   depth.depthTestEnable = depth.depthWriteEnable = VK_TRUE;
   depth.depthCompareOp = info.depth_compare;
   VkPipelineColorBlendAttachmentState no_blend = {};
-  no_blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  no_blend.colorWriteMask =
+      VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   VkPipelineColorBlendAttachmentState add = no_blend;
   add.blendEnable = VK_TRUE;
   add.srcColorBlendFactor = add.dstColorBlendFactor = add.srcAlphaBlendFactor = add.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
@@ -118,7 +121,8 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
   VkPipelineColorBlendStateCreateInfo blend = {VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
   blend.attachmentCount = static_cast<uint32_t>(attachments.size());
   blend.pAttachments = attachments.data();
-  const std::array<VkDynamicState, 3> dynamic_states = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_CULL_MODE};
+  const std::array<VkDynamicState, 3> dynamic_states = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                                        VK_DYNAMIC_STATE_CULL_MODE};
   VkPipelineDynamicStateCreateInfo dynamic = {VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
   dynamic.dynamicStateCount = static_cast<uint32_t>(dynamic_states.size());
   dynamic.pDynamicStates = dynamic_states.data();
@@ -128,7 +132,8 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
   rendering.colorAttachmentCount = static_cast<uint32_t>(info.colour_formats.size());
   rendering.pColorAttachmentFormats = info.colour_formats.data();
   rendering.depthAttachmentFormat = info.depth_format;
-  VkGraphicsPipelineCreateInfo create = {VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, target.render_pass ? nullptr : &rendering};
+  VkGraphicsPipelineCreateInfo create = {VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+                                         target.render_pass ? nullptr : &rendering};
   create.renderPass = target.render_pass;
   create.stageCount = static_cast<uint32_t>(stages.size());
   create.pStages = stages.data();
@@ -153,7 +158,8 @@ RayPipeline::RayPipeline(Device& device, std::string_view raygen, std::string_vi
                          const SpecialisationConstants& constants)
     : device_(&device) {
   const DeviceInfo& limits = device.info();
-  if (!limits.ray_tracing) fail_device("{}: '{}' has no ray-tracing pipeline (VK_KHR_ray_tracing_pipeline)", raygen, limits.name);
+  if (!limits.ray_tracing)
+    fail_device("{}: '{}' has no ray-tracing pipeline (VK_KHR_ray_tracing_pipeline)", raygen, limits.name);
   const Specialisation specialisation(constants);
   const ShaderModule modules[] = {{device, raygen}, {device, miss}, {device, any_hit}};
   const VkPipelineShaderStageCreateInfo stages[] = {modules[0].stage(VK_SHADER_STAGE_RAYGEN_BIT_KHR, &specialisation.info),
@@ -188,7 +194,8 @@ RayPipeline::RayPipeline(Device& device, std::string_view raygen, std::string_vi
   const uint32_t handle = limits.shader_group_handle_size;
   const uint32_t region = align_up(align_up(handle, limits.shader_group_handle_alignment), limits.shader_group_base_alignment);
   std::vector<std::byte> handles(size_t{3} * handle);
-  vk_check(functions.group_handles(device.handle(), pipeline, 0, 3, handles.size(), handles.data()), "vkGetRayTracingShaderGroupHandlesKHR");
+  vk_check(functions.group_handles(device.handle(), pipeline, 0, 3, handles.size(), handles.data()),
+           "vkGetRayTracingShaderGroupHandlesKHR");
   table_ = Buffer(device, std::string(raygen) + " table", size_t{region} * 4, BufferMemory::upload,
                   VK_BUFFER_USAGE_SHADER_BINDING_TABLE_BIT_KHR);
   const uint64_t base = (table_.address() + limits.shader_group_base_alignment - 1) / limits.shader_group_base_alignment *

@@ -16,7 +16,8 @@ using SpecialisationConstants = std::vector<uint32_t>;
 class Pipeline {
  public:
   Pipeline() = default;
-  Pipeline(Device& device, VkPipeline pipeline, VkPipelineBindPoint bind_point) : device_(&device), pipeline_(pipeline), bind_point_(bind_point) {}
+  Pipeline(Device& device, VkPipeline pipeline, VkPipelineBindPoint bind_point)
+      : device_(&device), pipeline_(pipeline), bind_point_(bind_point) {}
   ~Pipeline() { release(); }
   Pipeline(Pipeline&& other) noexcept { swap(other); }
   Pipeline& operator=(Pipeline&& other) noexcept {

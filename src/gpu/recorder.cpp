@@ -18,8 +18,8 @@ double now_ms() {
 constexpr uint32_t k_max_indirect_draws = 4096;
 
 void full_barrier(VkCommandBuffer commands) {
-  memory_barrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                 VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
+  memory_barrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
+                 VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
 }
 
 // What the CPU reads after waiting (readback buffers) must be made visible to it: waiting alone does not.
@@ -45,11 +45,16 @@ void destroy(Device& device, VkQueryPool timestamps, VkQueryPool statistics, VkC
 
 std::string_view stage_name(PassStage stage) {
   switch (stage) {
-    case PassStage::surface: return "surface";
-    case PassStage::build: return "build";
-    case PassStage::resolve: return "resolve";
-    case PassStage::shade: return "shade";
-    case PassStage::other: return "other";
+    case PassStage::surface:
+      return "surface";
+    case PassStage::build:
+      return "build";
+    case PassStage::resolve:
+      return "resolve";
+    case PassStage::shade:
+      return "shade";
+    case PassStage::other:
+      return "other";
   }
   return "other";
 }

@@ -39,10 +39,10 @@ struct PassResult {
 
 struct FrameResult {
   std::vector<PassResult> passes;
-  double gpu_ms = 0.0;     // first to last timestamp
-  double wall_ms = 0.0;    // submission to completion; the sum of the passes' when they are submitted alone
+  double gpu_ms = 0.0;         // first to last timestamp
+  double wall_ms = 0.0;        // submission to completion; the sum of the passes' when they are submitted alone
   double submission_ms = 0.0;  // wall time of a submission that does nothing; only when passes are submitted alone
-  double record_ms = 0.0;  // CPU time to record and submit
+  double record_ms = 0.0;      // CPU time to record and submit
 };
 
 // One resource and how a pass uses it.
@@ -121,13 +121,14 @@ class Recorder {
   void begin();
   // Throws GivenUp where that was asked for; the recorder can then begin again.
   void pass(std::string name, PassStage stage, std::span<const ResourceUse> uses, const std::function<void(Commands&)>& record);
-  void pass(std::string name, PassStage stage, std::initializer_list<ResourceUse> uses, const std::function<void(Commands&)>& record) {
+  void pass(std::string name, PassStage stage, std::initializer_list<ResourceUse> uses,
+            const std::function<void(Commands&)>& record) {
     pass(std::move(name), stage, std::span(uses.begin(), uses.size()), record);
   }
   // Submits, waits, returns the times. Throws ValidationError, DeviceLost.
   FrameResult finish();
-  // All three, with the passes that `record` writes. Where it throws, none of them is submitted, and resources are tracked as they were: for
-  // callers that go on.
+  // All three, with the passes that `record` writes. Where it throws, none of them is submitted, and resources are tracked as
+  // they were: for callers that go on.
   FrameResult frame(const std::function<void()>& record);
 
  private:

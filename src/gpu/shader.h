@@ -11,8 +11,8 @@
 
 namespace gnomon {
 
-// The words of a shader by its path below src/ ("frame/shading/shade.comp"), or of a generated kernel ("resolve/single/pcf.comp"). Callable
-// from any thread, as all here.
+// The words of a shader by its path below src/ ("frame/shading/shade.comp"), or of a generated kernel
+// ("resolve/single/pcf.comp"). Callable from any thread, as all here.
 std::vector<uint32_t> find_shader(std::string_view name);
 // All names that find_shader was asked for since the program began.
 std::set<std::string> shaders_in_use();

@@ -1,4 +1,5 @@
-// Instructions one by one, by the SPIR-V specification: opcode in the low half of the first word, count of words in the high one.
+// Instructions one by one, by the SPIR-V specification: opcode in the low half of the first word, count of words in the high
+// one.
 #include "gpu/spirv.h"
 
 #include <map>

@@ -12,14 +12,18 @@ UseInfo use_info(Use use) {
   constexpr auto k_shader_read = VK_ACCESS_2_SHADER_READ_BIT;
   constexpr auto k_shader_write = VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT;
   switch (use) {
-    case Use::compute_read: return {k_compute, k_shader_read, k_read, false};
-    case Use::compute_write: return {k_compute, k_shader_write, VK_IMAGE_LAYOUT_GENERAL, true};
+    case Use::compute_read:
+      return {k_compute, k_shader_read, k_read, false};
+    case Use::compute_write:
+      return {k_compute, k_shader_write, VK_IMAGE_LAYOUT_GENERAL, true};
     case Use::graphics_read:
       return {VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, k_shader_read, k_none, false};
-    case Use::sampled: return {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, k_shader_read, k_read, false};
+    case Use::sampled:
+      return {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, k_shader_read, k_read, false};
     case Use::colour_write:
       return {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-              VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL, true};
+              VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+              VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL, true};
     case Use::depth_write:
       return {VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
               VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
@@ -27,14 +31,19 @@ UseInfo use_info(Use use) {
     case Use::indirect_read:
       return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
               VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT, k_none, false};
-    case Use::copy_read: return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, false};
-    case Use::copy_write: return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
-    case Use::ray_read: return {k_ray, k_shader_read | VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR, k_read, false};
-    case Use::ray_write: return {k_ray, k_shader_write, VK_IMAGE_LAYOUT_GENERAL, true};
+    case Use::copy_read:
+      return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, false};
+    case Use::copy_write:
+      return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
+    case Use::ray_read:
+      return {k_ray, k_shader_read | VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR, k_read, false};
+    case Use::ray_write:
+      return {k_ray, k_shader_write, VK_IMAGE_LAYOUT_GENERAL, true};
     case Use::build_read:
       return {k_build, k_shader_read | VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR, k_none, false};
     case Use::build_write:
-      return {k_build, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR | VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR, k_none, true};
+      return {k_build, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR | VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR,
+              k_none, true};
   }
   return {};
 }

@@ -6,19 +6,19 @@
 namespace gnomon {
 
 enum class Use {
-  compute_read,        // buffers and sampled images in compute
-  compute_write,       // buffers and storage images in compute; may also read
-  graphics_read,       // buffers in vertex and fragment shaders
-  sampled,             // images in fragment shaders
-  colour_write,        // colour attachment
-  depth_write,         // depth attachment, tested and written
-  indirect_read,       // indirect commands and counts (also copied, for the draw statistics)
+  compute_read,   // buffers and sampled images in compute
+  compute_write,  // buffers and storage images in compute; may also read
+  graphics_read,  // buffers in vertex and fragment shaders
+  sampled,        // images in fragment shaders
+  colour_write,   // colour attachment
+  depth_write,    // depth attachment, tested and written
+  indirect_read,  // indirect commands and counts (also copied, for the draw statistics)
   copy_read,
   copy_write,
-  ray_read,            // buffers and sampled images in ray-tracing shaders
-  ray_write,           // buffers in ray-tracing shaders
-  build_read,          // vertices, indices, instances of an acceleration-structure build
-  build_write,         // acceleration structure and scratch of a build
+  ray_read,     // buffers and sampled images in ray-tracing shaders
+  ray_write,    // buffers in ray-tracing shaders
+  build_read,   // vertices, indices, instances of an acceleration-structure build
+  build_write,  // acceleration structure and scratch of a build
 };
 
 struct UseInfo {
@@ -36,7 +36,7 @@ struct ResourceState {
   VkAccessFlags2 write_access = 0;
   VkPipelineStageFlags2 visible_stages = 0;  // readers that already wait for the last write
   VkAccessFlags2 visible_access = 0;
-  VkPipelineStageFlags2 read_stages = 0;     // readers since the last write
+  VkPipelineStageFlags2 read_stages = 0;  // readers since the last write
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 

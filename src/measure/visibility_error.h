@@ -28,14 +28,16 @@ struct VisibilityError {
 
 // One entry per sample in all three spans. Throws Error when there is no receiver (an error of nothing is not zero) or when
 // the mask holds NaN or leaves [0, 1] by more than rounding, naming the first such sample.
-VisibilityError visibility_error(std::span<const float> mask, std::span<const float> reference, std::span<const uint8_t> receiver);
+VisibilityError visibility_error(std::span<const float> mask, std::span<const float> reference,
+                                 std::span<const uint8_t> receiver);
 
 // Vermilion: false shadow, blue: false light, grey: agreement, over the luminance of `shaded` (same size; samples are averaged
 // per pixel, each sign apart). samples: per pixel; spans are ordered pixel by pixel, then sample.
-Image8 signed_error_map(std::span<const float> mask, std::span<const float> reference, std::span<const uint8_t> receiver, int samples,
-                        const Image8& shaded);
+Image8 signed_error_map(std::span<const float> mask, std::span<const float> reference, std::span<const uint8_t> receiver,
+                        int samples, const Image8& shaded);
 
-// The mask itself as grey levels; sky and points that face away from the light are violet, so that they are not taken for shadow.
+// The mask itself as grey levels; sky and points that face away from the light are violet, so that they are not taken for
+// shadow.
 Image8 mask_picture(std::span<const float> mask, std::span<const uint8_t> receiver, int width, int height, int samples);
 
 // On 8-bit sRGB pictures of equal size, in display values [0, 1].

@@ -1,8 +1,8 @@
 // Ray-traced truth on the GPU: the same points and rays as reference/cpu/embree_reference.h, through the ray-tracing pipeline.
 #pragma once
 
-#include "frame/rays/acceleration_structure.h"
 #include "frame/frame.h"
+#include "frame/rays/acceleration_structure.h"
 #include "reference/cpu/embree_reference.h"
 
 namespace gnomon {

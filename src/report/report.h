@@ -21,7 +21,8 @@ void write_csv(std::span<const std::filesystem::path> folders, const std::filesy
 // The aligned table that `compare` prints on stdout.
 std::string text_table(std::span<const nlohmann::json> results);
 
-// The tables that `bench` prints: times of the runs, counters of those that ask for it, then the rows of their suite beside what was published and the goals.
+// The tables that `bench` prints: times of the runs, counters of those that ask for it, then the rows of their suite beside
+// what was published and the goals.
 std::string bench_table(std::span<const nlohmann::json> results);
 
 }  // namespace gnomon

@@ -143,7 +143,8 @@ class Checker {
   }
 
   void check(const SunPath& path, const std::string& place) const {
-    require(path.first_hour >= 0.0 && path.first_hour <= path.last_hour && path.last_hour <= 24.0, place, "within 0 to 24 hours");
+    require(path.first_hour >= 0.0 && path.first_hour <= path.last_hour && path.last_hour <= 24.0, place,
+            "within 0 to 24 hours");
     require(path.duration_s > 0.0, place + ".duration_s", "above 0");
     require(finite(path.colour) && std::isfinite(path.intensity), place, "of finite light");
   }

@@ -13,8 +13,8 @@
 namespace gnomon {
 
 // Calls work(i) once for each i below count, in any order, on several threads. Of several exceptions the one with the
-// lowest i is thrown again, so that an error message does not depend on timing. Counts `progress` up to `count`. Threads heed the caller's
-// cancellation.
+// lowest i is thrown again, so that an error message does not depend on timing. Counts `progress` up to `count`. Threads heed
+// the caller's cancellation.
 template <class Work>
 void parallel_for(size_t count, Progress& progress, const Work& work) {
   std::vector<std::exception_ptr> errors(count);

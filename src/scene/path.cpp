@@ -136,7 +136,8 @@ SunState sun_at_time(const RecordedSun& path, double time_s) {
   GNOMON_ASSERT(!path.keys.empty());
   if (time_s <= path.keys.front().time_s) return path.keys.front().state;
   if (time_s >= path.keys.back().time_s) return path.keys.back().state;
-  const auto b = std::upper_bound(path.keys.begin(), path.keys.end(), time_s, [](double t, const SunKey& key) { return t < key.time_s; });
+  const auto b =
+      std::upper_bound(path.keys.begin(), path.keys.end(), time_s, [](double t, const SunKey& key) { return t < key.time_s; });
   const auto a = b - 1;
   const auto t = static_cast<float>((time_s - a->time_s) / (b->time_s - a->time_s));
   return {along_great_circle(a->state.direction, b->state.direction, t), glm::mix(a->state.colour, b->state.colour, t),

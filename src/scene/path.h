@@ -29,7 +29,8 @@ struct SunState {
 };
 // Hours are clamped to the path's day.
 SunState sun_at(const SunPath& path, double hour);
-// The hour at which the sun of the path stands nearest to where `direction` comes from, to some minutes; and how far off that is, radians.
+// The hour at which the sun of the path stands nearest to where `direction` comes from, to some minutes; and how far off that
+// is, radians.
 struct NearestHour {
   double hour;
   float off;

@@ -35,7 +35,7 @@ inline constexpr int k_no_texture = -1;
 // Alpha-tested (masked) materials: a point exists where base alpha * texture alpha >= alpha_cutoff.
 struct Material {
   std::string name;
-  vec4 base_colour = vec4(1.0f);  // linear
+  vec4 base_colour = vec4(1.0f);           // linear
   int base_colour_texture = k_no_texture;  // RGB colour, A coverage
   int normal_texture = k_no_texture;       // tangent space, +Y up (OpenGL convention)
   float normal_scale = 1.0f;
@@ -52,10 +52,10 @@ struct Material {
 // of them (scene/mesh_tools.h makes what a file leaves out).
 struct MeshPart {
   std::vector<vec3> positions;
-  std::vector<vec3> normals;      // unit
-  std::vector<vec4> tangents;     // unit xyz, w = handedness (+1 or -1), as in glTF
-  std::vector<vec2> uvs;          // v runs downward, as in glTF and Vulkan
-  std::vector<vec4> colours;      // linear; white where the file has none
+  std::vector<vec3> normals;   // unit
+  std::vector<vec4> tangents;  // unit xyz, w = handedness (+1 or -1), as in glTF
+  std::vector<vec2> uvs;       // v runs downward, as in glTF and Vulkan
+  std::vector<vec4> colours;   // linear; white where the file has none
   std::vector<uint32_t> indices;
   int material = 0;
 
@@ -81,15 +81,15 @@ enum class LightKind : uint32_t { directional, point, spot, projector };
 struct Light {
   std::string name;
   LightKind kind = LightKind::directional;
-  vec3 position = vec3(0.0f);           // all but directional; of a projector the centre of its aperture
-  vec3 direction = vec3(0, -1, 0);      // unit, the way the light travels; all but point
-  vec3 colour = vec3(1.0f);             // linear
-  float intensity = 1.0f;               // lux for directional and projector, candela for point and spot, as in KHR_lights_punctual
-  float angular_diameter = 0.0f;        // radians; a disc-shaped sun; directional and projector
-  float radius = 0.0f;                  // metres; of the emitting sphere of point and spot lights
-  float range = 0.0f;                   // metres; 0 = unlimited
+  vec3 position = vec3(0.0f);       // all but directional; of a projector the centre of its aperture
+  vec3 direction = vec3(0, -1, 0);  // unit, the way the light travels; all but point
+  vec3 colour = vec3(1.0f);         // linear
+  float intensity = 1.0f;           // lux for directional and projector, candela for point and spot, as in KHR_lights_punctual
+  float angular_diameter = 0.0f;    // radians; a disc-shaped sun; directional and projector
+  float radius = 0.0f;              // metres; of the emitting sphere of point and spot lights
+  float range = 0.0f;               // metres; 0 = unlimited
   float inner_cone = 0.0f, outer_cone = k_pi / 4.0f;  // half angles, radians; spot
-  float beam_radius = 1.0f;             // metres; projector
+  float beam_radius = 1.0f;                           // metres; projector
 
   bool parallel() const { return kind == LightKind::directional || kind == LightKind::projector; }
   bool has_size() const { return (parallel() ? angular_diameter : radius) > 0.0f; }
@@ -99,10 +99,10 @@ struct Camera {
   std::string name;
   mat4 world_from_view = mat4(1.0f);  // looks along its own -Z, +Y up
   bool orthographic = false;
-  float vertical_fov = k_pi / 3.0f;   // radians; perspective
-  float half_height = 1.0f;           // metres; orthographic
+  float vertical_fov = k_pi / 3.0f;  // radians; perspective
+  float half_height = 1.0f;          // metres; orthographic
   float near = 0.1f;
-  float far = 1000.0f;                // the perspective projection is infinite; techniques that slice the view use this
+  float far = 1000.0f;  // the perspective projection is infinite; techniques that slice the view use this
 };
 
 // Where a viewer stands and looks over time (scene/path.h). Key times rise from 0.
@@ -139,14 +139,14 @@ struct Scene {
   std::vector<Material> materials;  // at least one
   std::vector<Mesh> meshes;
   std::vector<Object> objects;
-  std::vector<Light> lights;    // may be empty: the sun is then that of the `light` settings
-  std::vector<Camera> cameras;  // may be empty: the camera then frames the scene
+  std::vector<Light> lights;             // may be empty: the sun is then that of the `light` settings
+  std::vector<Camera> cameras;           // may be empty: the camera then frames the scene
   std::vector<CameraPath> camera_paths;  // no content: they place cameras, and a picture's camera is recorded with it
   std::vector<SunPath> sun_paths;
   ClosedFormVisibility closed_form;  // test charts only
 
-  Box bounds() const;               // world space
-  size_t triangle_count() const;    // as drawn: instances counted
+  Box bounds() const;             // world space
+  size_t triangle_count() const;  // as drawn: instances counted
   // Of everything that can change a picture: geometry, materials, textures, transforms, lights, cameras. 16 hex digits.
   std::string content_hash() const;
 };

@@ -10,9 +10,9 @@ namespace gnomon {
 
 struct SurfacePoint {
   vec3 position_ws;
-  uint32_t object;          // index into Scene::objects, or k_no_object where the camera sees the sky
-  vec3 geometric_normal_ws; // unit, turned toward the viewer
-  uint32_t pixel;           // y * width + x: seeds the per-pixel random shift
+  uint32_t object;           // index into Scene::objects, or k_no_object where the camera sees the sky
+  vec3 geometric_normal_ws;  // unit, turned toward the viewer
+  uint32_t pixel;            // y * width + x: seeds the per-pixel random shift
 };
 static_assert(sizeof(SurfacePoint) == 32);
 

@@ -1,5 +1,5 @@
-// The folders that the build found. Each folder defines one info with the macro at the end of this file; the lists are written by
-// cmake/gnomon_techniques.cmake.
+// The folders that the build found. Each folder defines one info with the macro at the end of this file; the lists are written
+// by cmake/gnomon_techniques.cmake.
 #pragma once
 
 #include <functional>

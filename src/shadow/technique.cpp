@@ -43,7 +43,9 @@ TechniqueSpec direct_spec(const DirectInfo& direct) {
   spec.manual = direct.manual;
   spec.summary = first_sentence(direct.manual);
   spec.light_kinds = direct.light_kinds;
-  spec.make = [&direct](TechniqueContext& context, const SettingsMap& settings) { return direct.make(context, settings.at(direct.id)); };
+  spec.make = [&direct](TechniqueContext& context, const SettingsMap& settings) {
+    return direct.make(context, settings.at(direct.id));
+  };
   return spec;
 }
 
@@ -81,7 +83,9 @@ SettingsMap TechniqueSpec::default_settings() const {
   return settings;
 }
 
-bool TechniqueSpec::supports(LightKind kind) const { return std::find(light_kinds.begin(), light_kinds.end(), kind) != light_kinds.end(); }
+bool TechniqueSpec::supports(LightKind kind) const {
+  return std::find(light_kinds.begin(), light_kinds.end(), kind) != light_kinds.end();
+}
 
 const std::vector<TechniqueSpec>& all_techniques() {
   static const std::vector<TechniqueSpec> working = [] {
@@ -107,10 +111,14 @@ const TechniqueSpec& find_technique(std::string_view name) {
 
 std::string_view light_kind_name(LightKind kind) {
   switch (kind) {
-    case LightKind::directional: return "directional";
-    case LightKind::point: return "point";
-    case LightKind::spot: return "spot";
-    case LightKind::projector: return "projector";
+    case LightKind::directional:
+      return "directional";
+    case LightKind::point:
+      return "point";
+    case LightKind::spot:
+      return "spot";
+    case LightKind::projector:
+      return "projector";
   }
   return "unknown";
 }

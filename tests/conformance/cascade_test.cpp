@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "frame/casters/caster_draws.h"
-#include "shadow/map/splits.h"
 #include "measure/visibility_error.h"
+#include "shadow/map/splits.h"
 #include "shadow/registry.h"
 #include "stage.h"
 
@@ -43,8 +43,11 @@ TEST(Cascades, OneTightCascadeIsTheSingleMap) {
     const auto& one = find_technique(fmt::format("cascaded/{}", filter));
     const auto& single = find_technique(fmt::format("single/{}", filter));
     const std::string distance = fmt::format("cascaded.distance={}", view.frame().visible_range().second);
-    const auto a = test::run_technique(view, one, test::settings_of(one, {"cascaded.count=1", "cascaded.fit=box", "cascaded.stabilise=false", "cascaded.border=0",
-                                                                          "cascaded.adapt=false", "cascaded.size=1024", distance})).mask;
+    const auto a = test::run_technique(
+                       view, one,
+                       test::settings_of(one, {"cascaded.count=1", "cascaded.fit=box", "cascaded.stabilise=false",
+                                               "cascaded.border=0", "cascaded.adapt=false", "cascaded.size=1024", distance}))
+                       .mask;
     const auto b = test::run_technique(view, single, test::settings_of(single, {"single.size=1024", "single.fit=view"})).mask;
     double difference = 0.0;
     for (size_t i = 0; i < a.size(); ++i) difference += std::abs(double(a[i]) - double(b[i]));
@@ -70,7 +73,8 @@ Map draw_map(View& view, const Projection& projection) {
   info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   const Image image(device(), info);
   const size_t texels = size_t{layers} * size * size;
-  const Buffer light(device(), "views", layers * sizeof(ShadowView), BufferMemory::upload), result(device(), "depths", texels * 4);
+  const Buffer light(device(), "views", layers * sizeof(ShadowView), BufferMemory::upload),
+      result(device(), "depths", texels * 4);
   std::memcpy(light.mapped(), map.views.data(), layers * sizeof(ShadowView));
   light.flush();
   CasterDraws draws(device(), view.gpu_scene(), "test", {.layers = layers});
@@ -80,7 +84,8 @@ Map draw_map(View& view, const Projection& projection) {
       VkBufferImageCopy region = {};
       region.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, layers};
       region.imageExtent = {size, size, 1};
-      vkCmdCopyImageToBuffer(commands.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, result.handle(), 1, &region);
+      vkCmdCopyImageToBuffer(commands.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, result.handle(), 1,
+                             &region);
     });
   });
   map.depths = read_back_as<float>(device(), result, texels);
@@ -98,15 +103,16 @@ int hard_answer(const Map& map, uint32_t layer, const vec3& p) {
   if (std::abs(texel.x - std::round(texel.x)) < 1e-3f || std::abs(texel.y - std::round(texel.y)) < 1e-3f) return -1;
   if (x < 0 || y < 0 || x >= size || y >= size) return -1;
   const float bias = 0.5f * view.texel_m / view.depth_range_m;
-  return map.depths[(size_t{layer} * size_t(size) + size_t(y)) * size_t(size) + static_cast<size_t>(x)] >= clip.z - bias ? 1 : 0;
+  return map.depths[(size_t{layer} * size_t(size) + size_t(y)) * size_t(size) + static_cast<size_t>(x)] >= clip.z - bias ? 1
+                                                                                                                         : 0;
 }
 
 struct Flips {
   size_t flips = 0, answers = 0;
 };
 
-// Points of the world, looked up in the maps of a viewer who walks and turns: how often an answer changes from frame to frame while
-// the layer that gives it stays as large.
+// Points of the world, looked up in the maps of a viewer who walks and turns: how often an answer changes from frame to frame
+// while the layer that gives it stays as large.
 Flips flips_along_a_walk(bool stabilise) {
   View& view = test::kept_view("busy directional", [] { return test::busy(LightKind::directional); }, {160, 120});
   view.draw();
@@ -128,7 +134,8 @@ Flips flips_along_a_walk(bool stabilise) {
     Map map = draw_map(view, *projection);
     for (uint32_t layer = 0; frame > 0 && layer < projection->layers(); ++layer) {
       if (stabilise) {
-        EXPECT_EQ(map.views[layer].texel_m, last.views[layer].texel_m) << "layer " << layer << ": the size of a texel depends on where the viewer stands";
+        EXPECT_EQ(map.views[layer].texel_m, last.views[layer].texel_m)
+            << "layer " << layer << ": the size of a texel depends on where the viewer stands";
       }
       for (const vec3& p : points) {
         const int before = hard_answer(last, layer, p), after = hard_answer(map, layer, p);
@@ -145,10 +152,11 @@ Flips flips_along_a_walk(bool stabilise) {
 
 TEST(Cascades, TexelSnappingKeepsAnswersWhileTheViewerMoves) {
   const Flips still = flips_along_a_walk(true), crawling = flips_along_a_walk(false);
-  fmt::print("answers that change from frame to frame: {} of {} with stabilise, {} of {} without\n", still.flips, still.answers, crawling.flips,
-             crawling.answers);
+  fmt::print("answers that change from frame to frame: {} of {} with stabilise, {} of {} without\n", still.flips, still.answers,
+             crawling.flips, crawling.answers);
   ASSERT_GT(still.answers, 100000u);
-  // Vertices of casters are rounded to a 256th of a texel: where that falls on the line, a texel turns over once in many frames.
+  // Vertices of casters are rounded to a 256th of a texel: where that falls on the line, a texel turns over once in many
+  // frames.
   EXPECT_LE(still.flips * 20000, still.answers);
   EXPECT_GT(crawling.flips, still.answers / 1000);
 }
@@ -166,15 +174,16 @@ Reach reach_of(View& view, double adapt) {
 
 // Boxes on a wide floor that casts nothing: the maps end with the shadows that can be seen, and lose none.
 TEST(Cascades, MapsReachAsFarAsShadowsDo) {
-  Scene scene = test::scene_with({test::floor_part(500.0f), test::box_part({-2, 0, -20}, {2, 6, -16}),
-                                  test::box_part({30, 0, 40}, {34, 40, 44})});
+  Scene scene = test::scene_with(
+      {test::floor_part(500.0f), test::box_part({-2, 0, -20}, {2, 6, -16}), test::box_part({30, 0, 40}, {34, 40, 44})});
   scene.objects[0].casts = false;
   const std::pair<const char*, Camera> cameras[] = {{"level", look_at("level", {0, 3, 10}, {0, 2, -10}, 60.0)},
                                                     {"down", look_at("down", {0, 30, 30}, {0, 0, 0}, 60.0)},
                                                     {"away", look_at("away", {0, 3, -60}, {0, 2, -90}, 60.0)},
                                                     {"sky", look_at("sky", {0, 3, 10}, {0, 60, 0}, 40.0)}};
   scene.cameras = {cameras[0].second};
-  // The second box stands behind the viewer and casts into the view under the first sun. The third sun is low before the viewer.
+  // The second box stands behind the viewer and casts into the view under the first sun. The third sun is low before the
+  // viewer.
   const vec3 suns[] = {{-0.4f, -0.5f, -1}, {0.3f, -1, 0.2f}, {0.1f, -0.2f, 1}};
   for (const vec3& sun : suns) {
     scene.lights = {test::make_sun(sun)};
@@ -191,13 +200,14 @@ TEST(Cascades, MapsReachAsFarAsShadowsDo) {
         farthest = std::max(farthest, glm::dot(points[i].position_ws - eye, forward));
       }
       const Reach adapted = reach_of(view, 1), whole = reach_of(view, 0);
-      fmt::print("{}, sun {} {} {}: shadows to {:.1f} m; {} cascades to {:.1f} m, without adapt {} to {:.1f} m\n", name, sun.x, sun.y, sun.z,
-                 farthest, adapted.cascades, adapted.distance, whole.cascades, whole.distance);
+      fmt::print("{}, sun {} {} {}: shadows to {:.1f} m; {} cascades to {:.1f} m, without adapt {} to {:.1f} m\n", name, sun.x,
+                 sun.y, sun.z, farthest, adapted.cascades, adapted.distance, whole.cascades, whole.distance);
       EXPECT_GE(adapted.distance, farthest);
       EXPECT_LT(adapted.distance, 0.5f * whole.distance);
       if (test::count(truth.receiver) == 0) continue;  // the sky
       const auto& spec = find_technique("cascaded/hard");
-      const double mae = visibility_error(test::run_technique(view, spec, spec.default_settings()).mask, truth.visibility, truth.receiver).mae;
+      const double mae =
+          visibility_error(test::run_technique(view, spec, spec.default_settings()).mask, truth.visibility, truth.receiver).mae;
       const auto all = test::run_technique(view, spec, test::settings_of(spec, {"cascaded.adapt=false"})).mask;
       EXPECT_LE(mae, visibility_error(all, truth.visibility, truth.receiver).mae + 1e-3) << name;
     }

@@ -1,6 +1,7 @@
-// Each failure that a technique is known for is visible in a scene and in a number, against rays; and so is what mends it. Elsewhere:
-// acne, peter-panning and lost cut-outs (relation_test.cpp), edges that crawl while the viewer moves (cascade_test.cpp), objects that do
-// not shadow themselves (percentage_closer_test.cpp), bent triangles of paraboloids (projection_test.cpp).
+// Each failure that a technique is known for is visible in a scene and in a number, against rays; and so is what mends it.
+// Elsewhere: acne, peter-panning and lost cut-outs (relation_test.cpp), edges that crawl while the viewer moves
+// (cascade_test.cpp), objects that do not shadow themselves (percentage_closer_test.cpp), bent triangles of paraboloids
+// (projection_test.cpp).
 #include <algorithm>
 #include <cmath>
 
@@ -33,14 +34,17 @@ void report(const std::string& name, const VisibilityError& error) {
 
 // --- Light bleeding
 
-// Plants before the rock that shades a cave's wall: two casters of different depths. Where every texel of a wide kernel is nearer to the
-// light than the receiver, comparison finds no light at all: what a variance map finds there is bleeding, and no soft edge.
+// Plants before the rock that shades a cave's wall: two casters of different depths. Where every texel of a wide kernel is
+// nearer to the light than the receiver, comparison finds no light at all: what a variance map finds there is bleeding, and no
+// soft edge.
 TEST(Failure, VarianceMapsBleedWhereShadowsOverlap) {
-  View& view = test::kept_view("cave", [] {
-    Scene scene = load_scene("hexworld", {{"radius", 20.0}, {"detail", 0.3}});
-    std::erase_if(scene.cameras, [](const Camera& camera) { return camera.name != "cave"; });
-    return scene;
-  }, {192, 128});
+  View& view = test::kept_view("cave",
+                               [] {
+                                 Scene scene = load_scene("hexworld", {{"radius", 20.0}, {"detail", 0.3}});
+                                 std::erase_if(scene.cameras, [](const Camera& camera) { return camera.name != "cave"; });
+                                 return scene;
+                               },
+                               {192, 128});
   constexpr std::string_view k_size = "single.size=1024";
   const ReferenceResult& truth = test::hard_reference(view);
   const auto compared = mask_of(view, "single/pcf", {k_size, "pcf.size=11"});
@@ -70,7 +74,8 @@ View& town() {
 TEST(Failure, OneMapIsCoarseNearTheViewer) {
   View& view = town();
   // As many texels in all.
-  const auto one = error_of(view, "single/hard", {"single.size=1024"}), four = error_of(view, "cascaded/hard", {"cascaded.size=512"});
+  const auto one = error_of(view, "single/hard", {"single.size=1024"}),
+             four = error_of(view, "cascaded/hard", {"cascaded.size=512"});
   report("town, one map of 1024", one);
   report("town, four maps of 512", four);
   EXPECT_LT(four.mae, 0.6 * one.mae);
@@ -80,14 +85,17 @@ TEST(Failure, OneMapIsCoarseNearTheViewer) {
 TEST(Failure, SoftnessJumpsAtTheSeamsOfCascades) {
   constexpr uvec2 k_view = {240, 240};
   // The edges of long slabs run along the view, so that rows of the picture differ by the viewer's distance alone.
-  View& view = test::kept_view("slabs along the view", [] {
-    std::vector<MeshPart> parts = {test::floor_part(60.0f)};
-    for (float x = -40.0f; x < 40.0f; x += 8.0f) parts.push_back(test::box_part({x, 3, -60}, {x + 4, 3.2f, 20}));
-    Scene scene = test::scene_with(std::move(parts));
-    scene.cameras.push_back(look_at("under", {2, 2.5f, 10}, {2, 0, 2}, 60.0));
-    scene.lights.push_back(test::make_sun({0.2f, -1, 0}));
-    return scene;
-  }, k_view);
+  View& view = test::kept_view(
+      "slabs along the view",
+      [] {
+        std::vector<MeshPart> parts = {test::floor_part(60.0f)};
+        for (float x = -40.0f; x < 40.0f; x += 8.0f) parts.push_back(test::box_part({x, 3, -60}, {x + 4, 3.2f, 20}));
+        Scene scene = test::scene_with(std::move(parts));
+        scene.cameras.push_back(look_at("under", {2, 2.5f, 10}, {2, 0, 2}, 60.0));
+        scene.lights.push_back(test::make_sun({0.2f, -1, 0}));
+        return scene;
+      },
+      k_view);
   const ReferenceResult& truth = test::hard_reference(view);
   // Largest change of a row's greyness from one row to the next.
   const auto jump = [&](std::string_view blend) {
@@ -127,8 +135,8 @@ TEST(Failure, CastersBehindTheViewerAreLostByMapsThatHoldOnlyTheView) {
 
 // A slab high above the view, and a pillar within it whose top lies before the near planes of the nearest slices.
 Scene slab_above() {
-  Scene scene = test::scene_with({test::floor_part(40.0f), test::box_part({-3, 30, -14}, {3, 31, -6}),
-                                  test::box_part({4, 0, -20}, {6, 25, -18})});
+  Scene scene = test::scene_with(
+      {test::floor_part(40.0f), test::box_part({-3, 30, -14}, {3, 31, -6}), test::box_part({4, 0, -20}, {6, 25, -18})});
   scene.cameras.push_back(look_at("below", {0, 2, 6}, {0, 1, -10}, 60.0));
   scene.lights.push_back(test::make_sun({0.1f, -1, 0.15f}));
   return scene;
@@ -137,7 +145,8 @@ Scene slab_above() {
 TEST(Failure, CastersBetweenLightAndSliceAreClipped) {
   View& view = test::kept_view("slab above", slab_above, {192, 120});
   for (const std::string_view fit : {"cascaded.fit=sphere", "cascaded.fit=box"}) {
-    const auto before_all = error_of(view, "cascaded/hard", {fit}), clamped = error_of(view, "cascaded/hard", {fit, "cascaded.near=clamp"});
+    const auto before_all = error_of(view, "cascaded/hard", {fit}),
+               clamped = error_of(view, "cascaded/hard", {fit, "cascaded.near=clamp"});
     const auto clipped = error_of(view, "cascaded/hard", {fit, "cascaded.near=slice"});
     report(fmt::format("slab above, {}, near=casters", fit), before_all);
     report("near=clamp", clamped);
@@ -148,14 +157,18 @@ TEST(Failure, CastersBetweenLightAndSliceAreClipped) {
   }
 }
 
-// Points of one cascade's column that lie before its near plane: here roofs and trees that a low sun meets before the first slices.
+// Points of one cascade's column that lie before its near plane: here roofs and trees that a low sun meets before the first
+// slices.
 TEST(Failure, DepthClampServesOnlyWhatLiesBehindTheNearPlane) {
-  View& view = test::kept_view("courtyard under a low sun", [] {
-    Scene scene = load_scene("courtyard");
-    scene.lights[0].direction = glm::normalize(vec3(-0.49f, -0.21f, 0.85f));
-    return scene;
-  }, {192, 128});
-  const auto by_default = error_of(view, "cascaded/hard", {}), clamped = error_of(view, "cascaded/hard", {"cascaded.near=clamp"});
+  View& view = test::kept_view("courtyard under a low sun",
+                               [] {
+                                 Scene scene = load_scene("courtyard");
+                                 scene.lights[0].direction = glm::normalize(vec3(-0.49f, -0.21f, 0.85f));
+                                 return scene;
+                               },
+                               {192, 128});
+  const auto by_default = error_of(view, "cascaded/hard", {}),
+             clamped = error_of(view, "cascaded/hard", {"cascaded.near=clamp"});
   report("low sun, near=casters", by_default);
   report("low sun, near=clamp", clamped);
   EXPECT_LT(clamped.mae, 1.5 * by_default.mae);

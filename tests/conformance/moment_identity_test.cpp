@@ -50,13 +50,18 @@ void copy_image(Commands& commands, const Image& image, const Buffer& buffer, bo
   VkBufferImageCopy region = {};
   region.imageSubresource = {image.aspect(), 0, 0, 1};
   region.imageExtent = {image.info().width, image.info().height, 1};
-  if (to_image) vkCmdCopyBufferToImage(commands.handle(), buffer.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-  else vkCmdCopyImageToBuffer(commands.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle(), 1, &region);
+  if (to_image)
+    vkCmdCopyBufferToImage(commands.handle(), buffer.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                           &region);
+  else
+    vkCmdCopyImageToBuffer(commands.handle(), image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.handle(), 1,
+                           &region);
 }
 
 // What the filter makes of a depth map: its image, `words` 32-bit words for each texel.
 template <class Word>
-std::vector<Word> converted(std::string_view id, const DepthMap& map, uint32_t words, std::initializer_list<std::pair<std::string_view, double>> settings) {
+std::vector<Word> converted(std::string_view id, const DepthMap& map, uint32_t words,
+                            std::initializer_list<std::pair<std::string_view, double>> settings) {
   // Images of the last call leave the bindless set: validation takes every descriptor of an array for used.
   device().wait_idle();
   const FilterInfo& info = by_id(filters(), id);
@@ -103,7 +108,9 @@ std::vector<Word> converted(std::string_view id, const DepthMap& map, uint32_t w
 std::vector<double> weights_of(int radius) {
   std::vector<double> weights;
   double sum = 0.0;
-  for (int i = -radius; i <= radius; ++i) weights.push_back(std::exp(std::lgamma(6 * radius + 1) - std::lgamma(3 * radius + i + 1) - std::lgamma(3 * radius - i + 1)));
+  for (int i = -radius; i <= radius; ++i)
+    weights.push_back(
+        std::exp(std::lgamma(6 * radius + 1) - std::lgamma(3 * radius + i + 1) - std::lgamma(3 * radius - i + 1)));
   for (const double w : weights) sum += w;
   for (double& w : weights) w /= sum;
   return weights;
@@ -115,7 +122,8 @@ double blurred(const DepthMap& map, int x, int y, int radius, const std::vector<
   double sum = 0.0;
   for (int j = -radius; j <= radius; ++j) {
     for (int i = -radius; i <= radius; ++i) {
-      sum += weights[static_cast<size_t>(i + radius)] * weights[static_cast<size_t>(j + radius)] * value(double(map.at(x + i, y + j)));
+      sum += weights[static_cast<size_t>(i + radius)] * weights[static_cast<size_t>(j + radius)] *
+             value(double(map.at(x + i, y + j)));
     }
   }
   return sum;
@@ -133,7 +141,8 @@ void expect_blurred(const DepthMap& map, const std::vector<float>& found, int ra
     if (y % row_step != 0) continue;
     for (size_t channel = 0; channel < values.size(); ++channel) {
       const double expected = blurred(map, x, y, radius, weights, values[channel]);
-      worst = std::max(worst, std::abs(double(found[i * values.size() + channel]) - expected) / std::max(std::abs(expected), scale));
+      worst = std::max(worst,
+                       std::abs(double(found[i * values.size() + channel]) - expected) / std::max(std::abs(expected), scale));
     }
   }
   EXPECT_LT(worst, tolerance) << "size " << map.size << ", radius " << radius;
@@ -148,19 +157,24 @@ TEST(MomentIdentity, MapsHoldTheBlurOfWhatTheyEncodeAndWithoutBlurTheEncodedItse
     expect_blurred(map, converted<float>("vsm", map, 2, {{"blur", blur}, {"slope_term", 0.0}, {"mips", 0.0}}), radius,
                    {[](double z) { return z; }, [](double z) { return z * z; }}, 1e-6);
     expect_blurred(map, converted<float>("msm", map, 4, {{"blur", blur}, {"format", 1.0}}), radius,
-                   {[](double z) { return 2 * z - 1; }, [](double z) { return std::pow(2 * z - 1, 2); }, [](double z) { return std::pow(2 * z - 1, 3); },
-                    [](double z) { return std::pow(2 * z - 1, 4); }}, 2e-6);
+                   {[](double z) { return 2 * z - 1; }, [](double z) { return std::pow(2 * z - 1, 2); },
+                    [](double z) { return std::pow(2 * z - 1, 3); }, [](double z) { return std::pow(2 * z - 1, 4); }},
+                   2e-6);
     // exp of a float is right to a few units of its last place times the exponent.
-    expect_blurred(map, converted<float>("evsm", map, 4, {{"blur", blur}, {"positive", 42.0}, {"negative", 20.0}}), radius,
-                   {[](double z) { return std::exp(42 * (2 * z - 1)); }, [](double z) { return std::exp(84 * (2 * z - 1)); },
-                    [](double z) { return -std::exp(-20 * (2 * z - 1)); }, [](double z) { return std::exp(-40 * (2 * z - 1)); }}, 5e-5, 0.0);
+    expect_blurred(
+        map, converted<float>("evsm", map, 4, {{"blur", blur}, {"positive", 42.0}, {"negative", 20.0}}), radius,
+        {[](double z) { return std::exp(42 * (2 * z - 1)); }, [](double z) { return std::exp(84 * (2 * z - 1)); },
+         [](double z) { return -std::exp(-20 * (2 * z - 1)); }, [](double z) { return std::exp(-40 * (2 * z - 1)); }},
+        5e-5, 0.0);
     for (const double c : {1.0, 80.0, 160.0}) {
       for (const bool exponential : {false, true}) {
-        auto found = converted<float>("esm", map, 1, {{"unit", 0.0}, {"blur", blur}, {"c", c}, {"space", exponential ? 1.0 : 0.0}});
+        auto found =
+            converted<float>("esm", map, 1, {{"unit", 0.0}, {"blur", blur}, {"c", c}, {"space", exponential ? 1.0 : 0.0}});
         const auto weights = weights_of(radius);
         double worst = 0.0;
         for (size_t i = 0; i < found.size(); ++i) {
-          const double expected = blurred(map, static_cast<int>(i % k_size), static_cast<int>(i / k_size), radius, weights, [=](double z) { return std::exp(c * (z - 0.5)); });
+          const double expected = blurred(map, static_cast<int>(i % k_size), static_cast<int>(i / k_size), radius, weights,
+                                          [=](double z) { return std::exp(c * (z - 0.5)); });
           worst = std::max(worst, std::abs((exponential ? std::log(double(found[i])) : double(found[i])) - std::log(expected)));
         }
         EXPECT_LT(worst, 1e-4) << "esm, c " << c << ", radius " << radius << (exponential ? ", exponential" : ", log");
@@ -263,7 +277,8 @@ TEST(MomentIdentity, QuantizedMomentsAreTheMomentsToSixteenBits) {
   float worst = 0.0f;
   for (size_t i = 0; i < map.texels.size(); ++i) {
     vec4 q;
-    for (int k = 0; k < 4; ++k) q[k] = static_cast<float>((words[2 * i + size_t(k) / 2] >> (16 * (k % 2))) & 0xffffu) / 65535.0f;
+    for (int k = 0; k < 4; ++k)
+      q[k] = static_cast<float>((words[2 * i + size_t(k) / 2] >> (16 * (k % 2))) & 0xffffu) / 65535.0f;
     const vec4 b = msm_unquantized(q);
     for (int k = 0; k < 4; ++k) worst = std::max(worst, std::abs(b[k] - exact[4 * i + size_t(k)]));
   }
@@ -287,11 +302,15 @@ TEST(MomentIdentity, SummedAreaAveragesAreTheDirectAverages) {
       const auto table = converted<uint32_t>("savsm", map, 2, {{"width", width}});
       const auto side = static_cast<uint32_t>(width) + 2;
       const int bits = 32 - static_cast<int>(std::ceil(std::log2(double(side) * side)));
-      const auto sum_before = [&](uint32_t x, uint32_t y, uint32_t channel) { return x && y ? table[2 * ((y - 1) * size + x - 1) + channel] : 0u; };
+      const auto sum_before = [&](uint32_t x, uint32_t y, uint32_t channel) {
+        return x && y ? table[2 * ((y - 1) * size + x - 1) + channel] : 0u;
+      };
       size_t wrong = 0;
       for (int trial = 0; trial < 2000; ++trial) {
-        const uint32_t w = 1 + static_cast<uint32_t>(random()) % std::min(side, size), h = 1 + static_cast<uint32_t>(random()) % std::min(side, size);
-        const uint32_t x = static_cast<uint32_t>(random()) % (size - w + 1), y = static_cast<uint32_t>(random()) % (size - h + 1);
+        const uint32_t w = 1 + static_cast<uint32_t>(random()) % std::min(side, size),
+                       h = 1 + static_cast<uint32_t>(random()) % std::min(side, size);
+        const uint32_t x = static_cast<uint32_t>(random()) % (size - w + 1),
+                       y = static_cast<uint32_t>(random()) % (size - h + 1);
         uint64_t sums[2] = {};
         for (uint32_t j = 0; j < h; ++j) {
           for (uint32_t i = 0; i < w; ++i) {
@@ -300,7 +319,8 @@ TEST(MomentIdentity, SummedAreaAveragesAreTheDirectAverages) {
           }
         }
         for (uint32_t channel = 0; channel < 2; ++channel) {
-          const uint32_t found = sum_before(x + w, y + h, channel) - sum_before(x, y + h, channel) - sum_before(x + w, y, channel) + sum_before(x, y, channel);
+          const uint32_t found = sum_before(x + w, y + h, channel) - sum_before(x, y + h, channel) -
+                                 sum_before(x + w, y, channel) + sum_before(x, y, channel);
           wrong += found != sums[channel];
         }
       }
@@ -358,7 +378,8 @@ TEST(MomentIdentity, BoundsHoldAgainstBruteForceOverTheSameWindow) {
         const vec2 w = evsm_warp(d, exponents);
         const double bounds[4] = {
             double(chebyshev(vsm[2 * i], vsm[2 * i + 1], d, 1e-12f)),
-            double(std::min(evsm_bound(evsm[4 * i], evsm[4 * i + 1], w.x, exponents.x, 1e-4f), evsm_bound(evsm[4 * i + 2], evsm[4 * i + 3], w.y, exponents.y, 1e-4f))),
+            double(std::min(evsm_bound(evsm[4 * i], evsm[4 * i + 1], w.x, exponents.x, 1e-4f),
+                            evsm_bound(evsm[4 * i + 2], evsm[4 * i + 3], w.y, exponents.y, 1e-4f))),
             double(1.0f - msm_shadow(vec4(msm[4 * i], msm[4 * i + 1], msm[4 * i + 2], msm[4 * i + 3]), 2.0f * d - 1.0f, 3e-7f)),
             std::exp(std::min(double(log_esm[i]) - 80.0 * (double(d) - 0.5), 0.0))};
         for (int b = 0; b < 4; ++b) worst[b] = std::max(worst[b], pcf - bounds[b]), excess[b] += bounds[b] - pcf;
@@ -370,7 +391,8 @@ TEST(MomentIdentity, BoundsHoldAgainstBruteForceOverTheSameWindow) {
   // Rounding of the moments against a gap of 1e-3: (1e-7 / 1e-3) for one, squared gaps for the others.
   constexpr double k_tolerance[] = {0.05, 0.02, 0.05, 1e-4};
   for (int b = 0; b < 4; ++b) {
-    fmt::print("{:>4}: below brute force by at most {:.5f}; above it by {:.4f} on average\n", k_names[b], worst[b], excess[b] / static_cast<double>(count));
+    fmt::print("{:>4}: below brute force by at most {:.5f}; above it by {:.4f} on average\n", k_names[b], worst[b],
+               excess[b] / static_cast<double>(count));
     EXPECT_LT(worst[b], k_tolerance[b]) << k_names[b];
   }
   // The point of each successor.
@@ -393,7 +415,9 @@ Sample random_sample(std::mt19937& random, int n) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   Sample sample;
   double total = 0.0;
-  for (int i = 0; i < n; ++i) sample.depths.push_back(2.0 * uniform(random) - 1.0), sample.weights.push_back(0.05 + uniform(random)), total += sample.weights.back();
+  for (int i = 0; i < n; ++i)
+    sample.depths.push_back(2.0 * uniform(random) - 1.0), sample.weights.push_back(0.05 + uniform(random)),
+        total += sample.weights.back();
   for (int m = 0; m < 4; ++m) {
     double sum = 0.0;
     for (size_t i = 0; i < sample.depths.size(); ++i) sum += sample.weights[i] / total * std::pow(sample.depths[i], m + 1);
@@ -450,8 +474,10 @@ TEST(MomentIdentity, NoMomentsWhateverGiveAnythingButVisibility) {
     const vec2 other = evsm_warp(0.5f + 0.5f * moments.y, exponents);
     const float t = 0.5f + 0.5f * moments.z;
     for (const float least : {0.0f, 1e-4f, 1e20f}) {
-      check(evsm_bound(glm::mix(warped.x, other.x, t), glm::mix(warped.x * warped.x, other.x * other.x, t), receiver.x, exponents.x, least));
-      check(evsm_bound(glm::mix(warped.y, other.y, t), glm::mix(warped.y * warped.y, other.y * other.y, t), receiver.y, exponents.y, least));
+      check(evsm_bound(glm::mix(warped.x, other.x, t), glm::mix(warped.x * warped.x, other.x * other.x, t), receiver.x,
+                       exponents.x, least));
+      check(evsm_bound(glm::mix(warped.y, other.y, t), glm::mix(warped.y * warped.y, other.y * other.y, t), receiver.y,
+                       exponents.y, least));
       check(evsm_bound(warped.x, 0.0f, receiver.x, exponents.x, least));
     }
   }
@@ -471,12 +497,14 @@ std::vector<float> courtyard_mask(const char* technique, std::initializer_list<s
 }
 
 TEST(MomentIdentity, EvsmBecomesVsmAsItsExponentsVanish) {
-  const auto vsm = courtyard_mask("single/vsm", {"single.size=1024", "vsm.slope_term=false", "vsm.min_variance=10", "vsm.bleeding=0.1"});
+  const auto vsm =
+      courtyard_mask("single/vsm", {"single.size=1024", "vsm.slope_term=false", "vsm.min_variance=10", "vsm.bleeding=0.1"});
   double last = 1.0;
   for (const char* exponent : {"8", "2", "0.5", "0.1"}) {
-    const std::string positive = fmt::format("evsm.positive={}", exponent), negative = fmt::format("evsm.negative={}", exponent);
-    const double difference =
-        mean_difference(vsm, courtyard_mask("single/evsm", {"single.size=1024", "evsm.min_variance=10", "evsm.bleeding=0.1", positive, negative}));
+    const std::string positive = fmt::format("evsm.positive={}", exponent),
+                      negative = fmt::format("evsm.negative={}", exponent);
+    const double difference = mean_difference(vsm, courtyard_mask("single/evsm", {"single.size=1024", "evsm.min_variance=10",
+                                                                                  "evsm.bleeding=0.1", positive, negative}));
     fmt::print("evsm with exponents {:>3}: {:.5f} from vsm\n", exponent, difference);
     EXPECT_LT(difference, std::max(last, 5e-4));
     last = difference;
@@ -485,7 +513,8 @@ TEST(MomentIdentity, EvsmBecomesVsmAsItsExponentsVanish) {
 }
 
 TEST(MomentIdentity, SummedAreaOfOneTexelIsAnUnblurredVsm) {
-  const auto vsm = courtyard_mask("single/vsm", {"single.size=1024", "vsm.slope_term=false", "vsm.mips=false", "vsm.blur=0", "vsm.min_variance=5"});
+  const auto vsm = courtyard_mask(
+      "single/vsm", {"single.size=1024", "vsm.slope_term=false", "vsm.mips=false", "vsm.blur=0", "vsm.min_variance=5"});
   const auto same = courtyard_mask("single/savsm", {"single.size=1024", "savsm.width=1", "savsm.min_variance=5"});
   const auto wide = courtyard_mask("single/savsm", {"single.size=1024", "savsm.width=9", "savsm.min_variance=5"});
   fmt::print("savsm, width 1: {:.5f} from vsm; width 9: {:.5f}\n", mean_difference(vsm, same), mean_difference(vsm, wide));

@@ -74,12 +74,17 @@ std::vector<const TechniqueSpec*> two_techniques_with(const std::string& id) {
 
 View& busy_view(const TechniqueSpec& spec) {
   const LightKind kind = test::preferred_light(spec);
-  return test::kept_view(fmt::format("busy {}", light_kind_name(kind)), [=] {
-    Scene scene = test::busy(kind);
-    if (kind == LightKind::directional) scene.lights[0].angular_diameter = 0.05f;
-    else scene.lights[0].radius = 0.2f;
-    return scene;
-  }, k_size);
+  return test::kept_view(
+      fmt::format("busy {}", light_kind_name(kind)),
+      [=] {
+        Scene scene = test::busy(kind);
+        if (kind == LightKind::directional)
+          scene.lights[0].angular_diameter = 0.05f;
+        else
+          scene.lights[0].radius = 0.2f;
+        return scene;
+      },
+      k_size);
 }
 
 SettingsMap with(SettingsMap settings, const std::string& id, std::string_view name, double value) {
@@ -135,7 +140,8 @@ TechniqueRun run_frames(View& view, const TechniqueSpec& spec, const SettingsMap
   const auto technique = spec.make(view.context(), settings);
   for (int frame = 0; frame < k_frames; ++frame) {
     std::vector<Light> lights = view.scene().lights;
-    if (frame == k_frames - 1) lights[0].position.x += 0.1f, lights[0].direction = glm::normalize(lights[0].direction + vec3(0.05f, 0, 0));
+    if (frame == k_frames - 1)
+      lights[0].position.x += 0.1f, lights[0].direction = glm::normalize(lights[0].direction + vec3(0.05f, 0, 0));
     view.frame().set_lights(lights);
     view.frame().set_camera(view.scene().cameras.at(0));
     const FrameResult result = test::run_passes([&](Recorder& recorder) {
@@ -150,8 +156,8 @@ TechniqueRun run_frames(View& view, const TechniqueSpec& spec, const SettingsMap
   return run;
 }
 
-// Nothing where the device lacks what the settings need (sample counts of a map, say), or where they cannot work together (a history
-// of objects): that is refused with a reason, as it must be.
+// Nothing where the device lacks what the settings need (sample counts of a map, say), or where they cannot work together (a
+// history of objects): that is refused with a reason, as it must be.
 std::optional<TechniqueRun> run_or_refusal(const TechniqueSpec& spec, const SettingsMap& settings, bool over_frames = false) {
   try {
     return over_frames ? run_frames(busy_view(spec), spec, settings) : test::run_technique(busy_view(spec), spec, settings);
@@ -178,8 +184,8 @@ void try_large_values(const TechniqueSpec& spec, const Parameter& parameter) {
     const double next = std::min(2.0 * value, parameter.info.max);
     const double predicted = bytes * std::max(growth, value == first ? 4.0 : 1.0);
     if (predicted > 1.01 * k_most_mib * k_mib) {
-      fmt::print("{}: {}.{}={} and more is left out: it would need some {:.0f} MiB\n", spec.name, parameter.id, parameter.name, next,
-                 predicted / k_mib);
+      fmt::print("{}: {}.{}={} and more is left out: it would need some {:.0f} MiB\n", spec.name, parameter.id, parameter.name,
+                 next, predicted / k_mib);
       return;
     }
     value = next;
@@ -204,7 +210,8 @@ TEST_P(EveryParameter, IsSoundAtBothEnds) {
 }
 
 // True when some value changes something, with the other settings as given.
-bool changes_something(const TechniqueSpec& spec, const Parameter& parameter, const SettingsMap& others, bool over_frames = false) {
+bool changes_something(const TechniqueSpec& spec, const Parameter& parameter, const SettingsMap& others,
+                       bool over_frames = false) {
   const auto before = run_or_refusal(spec, others, over_frames);
   if (!before) return false;
   for (const double value : values_of(parameter.info)) {
@@ -229,14 +236,20 @@ bool acts_beside_another(const TechniqueSpec& spec, const Parameter& parameter) 
     }
   }
   // Modes of its own table first, then the rest of it: that is where the other one is most often.
-  const auto own = std::stable_partition(others.begin(), others.end(), [&](const Other& other) { return other.id == parameter.id; });
-  const auto is_mode = [](const Other& other) { return other.info->type == ParamType::choice || other.info->type == ParamType::bool_; };
+  const auto own =
+      std::stable_partition(others.begin(), others.end(), [&](const Other& other) { return other.id == parameter.id; });
+  const auto is_mode = [](const Other& other) {
+    return other.info->type == ParamType::choice || other.info->type == ParamType::bool_;
+  };
   std::stable_partition(others.begin(), own, is_mode);
   for (const Other& other : others) {
     for (const double value : values_of(*other.info)) {
-      if (other.info->update == ParamUpdate::rebuild && value > other.info->default_value && other.info->type == ParamType::int_) continue;
+      if (other.info->update == ParamUpdate::rebuild && value > other.info->default_value &&
+          other.info->type == ParamType::int_)
+        continue;
       if (!changes_something(spec, parameter, with(defaults, other.id, other.info->name, value))) continue;
-      fmt::print("{}: {}.{} acts only with {}.{}={}\n", spec.name, parameter.id, parameter.name, other.id, other.info->name, value);
+      fmt::print("{}: {}.{} acts only with {}.{}={}\n", spec.name, parameter.id, parameter.name, other.id, other.info->name,
+                 value);
       return true;
     }
   }
@@ -278,9 +291,8 @@ TEST_P(EveryParameter, TakesEffectAsItsTableSays) {
       draw();
       technique->set(changed);
       draw();
-      EXPECT_EQ(view.frame().read_mask(0), fresh.mask)
-          << spec->name << ": " << parameter.id << "." << parameter.name << "=" << value
-          << " is called live, but a new technique gives another mask";
+      EXPECT_EQ(view.frame().read_mask(0), fresh.mask) << spec->name << ": " << parameter.id << "." << parameter.name << "="
+                                                       << value << " is called live, but a new technique gives another mask";
     }
   }
 }

@@ -1,4 +1,5 @@
-// What percentage-closer filters must equal each other in: kernels that are the same sum, and soft shadows of a light without size.
+// What percentage-closer filters must equal each other in: kernels that are the same sum, and soft shadows of a light without
+// size.
 #include <cmath>
 
 #include "measure/visibility_error.h"
@@ -12,11 +13,13 @@ using Assignments = std::vector<std::string>;
 
 // The courtyard under a sun of this size in degrees.
 View& courtyard(float sun_deg) {
-  return test::kept_view(fmt::format("courtyard, sun {}", sun_deg), [=] {
-    Scene scene = load_scene("courtyard");
-    scene.lights[0].angular_diameter = sun_deg * k_pi / 180.0f;
-    return scene;
-  }, {160, 120});
+  return test::kept_view(fmt::format("courtyard, sun {}", sun_deg),
+                         [=] {
+                           Scene scene = load_scene("courtyard");
+                           scene.lights[0].angular_diameter = sun_deg * k_pi / 180.0f;
+                           return scene;
+                         },
+                         {160, 120});
 }
 
 SettingsMap settings_of(const TechniqueSpec& spec, const Assignments& assignments) {
@@ -73,8 +76,8 @@ TEST(PercentageCloser, OptimisedKernelEqualsTheGrid) {
           grid.emplace_back("pcf.kernel=grid"), optimised.emplace_back("pcf.kernel=optimised");
           const auto a = mask_with(grid), b = mask_with(optimised);
           const Difference d = difference(a, b);
-          // A sampler keeps 8 bits of a tap's place between two texels; a depth that equals the plane's to the last bit may fall to
-          // either side.
+          // A sampler keeps 8 bits of a tap's place between two texels; a depth that equals the plane's to the last bit may
+          // fall to either side.
           EXPECT_LT(d.mean, 1e-3) << size << ", plane " << plane << ", bilinear " << bilinear << ", " << weights;
           size_t far = 0;
           for (size_t i = 0; i < a.size(); ++i) far += std::abs(a[i] - b[i]) > 0.02f;
@@ -103,9 +106,10 @@ TEST(PercentageCloser, DiscsAgreeWithASquareOfTheSameSpread) {
 
 TEST(PercentageCloser, RotatedKernelsRepeat) {
   View& view = courtyard(2.0f);
-  for (const auto& [technique, settings] : {std::pair<std::string, Assignments>{"single/pcf", {"pcf.kernel=poisson", "pcf.taps=5"}},
-                                            {"single/pcf", {"pcf.kernel=vogel", "pcf.taps=5"}},
-                                            {"single/pcss", {"pcss.taps=5"}}}) {
+  for (const auto& [technique, settings] :
+       {std::pair<std::string, Assignments>{"single/pcf", {"pcf.kernel=poisson", "pcf.taps=5"}},
+        {"single/pcf", {"pcf.kernel=vogel", "pcf.taps=5"}},
+        {"single/pcss", {"pcss.taps=5"}}}) {
     const auto first = mask_of(view, technique, settings);
     EXPECT_EQ(mask_of(view, technique, settings), first) << technique;
   }
@@ -126,7 +130,8 @@ TEST(PercentageCloser, SoftShadowsAreNearerToASunWithSize) {
     View& view = courtyard(sun_deg);
     view.draw();
     const auto points = view.frame().read_points();
-    const auto truth = EmbreeReference(view.scene()).trace(points, view.frame().camera().eye_ws, view.scene().lights[0], true, 64, 1);
+    const auto truth =
+        EmbreeReference(view.scene()).trace(points, view.frame().camera().eye_ws, view.scene().lights[0], true, 64, 1);
     const auto error = [&](const std::string& technique) {
       const auto mask = mask_of(view, technique, {});
       return visibility_error(mask, truth.visibility, truth.receiver).mae;
@@ -138,7 +143,8 @@ TEST(PercentageCloser, SoftShadowsAreNearerToASunWithSize) {
 }
 
 TEST(ObjectId, ARoomOfOneObjectIsLitUnlessDepthIsComparedWithin) {
-  View& view = test::kept_view("thin room directional", [] { return test::closed_room(LightKind::directional, true); }, {96, 72});
+  View& view =
+      test::kept_view("thin room directional", [] { return test::closed_room(LightKind::directional, true); }, {96, 72});
   const auto lit_share = [&](const std::string& within) {
     const auto mask = mask_of(view, "single/object_id", {"object_id.within=" + within});
     const auto receiver = test::receivers(view);

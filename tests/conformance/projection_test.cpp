@@ -1,5 +1,5 @@
-// Projections against theory: warps hold what is visible and keep its order, paraboloids agree with rays, fits to samples are no
-// worse than fits to the view; lights from everywhere lose no caster.
+// Projections against theory: warps hold what is visible and keep its order, paraboloids agree with rays, fits to samples are
+// no worse than fits to the view; lights from everywhere lose no caster.
 #include <cmath>
 
 #include "measure/visibility_error.h"
@@ -31,8 +31,9 @@ void for_each_warp(const Action& action) {
   Box scene, casters;
   scene.min = vec3(-40, -1, -60), scene.max = vec3(40, 12, 60);
   casters.min = vec3(-38, 0, -55), casters.max = vec3(38, 12, 55);
-  const Camera cameras[] = {look_at("level", {0, 1.7f, 30}, {0, 1.5f, 0}, 60.0), look_at("down", {3, 30, 2}, {3, 0, 1.99f}, 60.0),
-                            look_at("steep", {-5, 20, 20}, {0, 0, 0}, 90.0), look_at("outside", {0, 40, 200}, {0, 0, 0}, 30.0)};
+  const Camera cameras[] = {look_at("level", {0, 1.7f, 30}, {0, 1.5f, 0}, 60.0),
+                            look_at("down", {3, 30, 2}, {3, 0, 1.99f}, 60.0), look_at("steep", {-5, 20, 20}, {0, 0, 0}, 90.0),
+                            look_at("outside", {0, 40, 200}, {0, 0, 0}, 30.0)};
   for (const Camera& camera : cameras) {
     for (const bool orthographic : {false, true}) {
       Camera lens = camera;
@@ -51,8 +52,9 @@ void for_each_warp(const Action& action) {
 
 TEST(Warp, EveryVisiblePointIsInsideTheMap) {
   for_each_warp([](const WarpFit& fit, const CameraData&) {
-    for (const float distance : {light_space_perspective_distance(fit, 0.02f, 1.0f), light_space_perspective_distance(fit, 0.0f, 10.0f),
-                                 trapezoidal_distance(fit, 0.25f, 0.8f), trapezoidal_distance(fit, 0.001f, 0.99f), k_no_warp}) {
+    for (const float distance :
+         {light_space_perspective_distance(fit, 0.02f, 1.0f), light_space_perspective_distance(fit, 0.0f, 10.0f),
+          trapezoidal_distance(fit, 0.25f, 0.8f), trapezoidal_distance(fit, 0.001f, 0.99f), k_no_warp}) {
       ASSERT_TRUE(distance > 0.0f);
       const ShadowView view = warped_view(fit, distance, 1024, 4.0f);
       for (int column = 0; column < 4; ++column) {
@@ -72,7 +74,8 @@ TEST(Warp, EveryVisiblePointIsInsideTheMap) {
         // Linear depth is proportional to metres along the light.
         const vec4 ndc = clip / clip.w;
         const float linear = glm::dot(view.linear_numerator, ndc) / glm::dot(view.linear_denominator, ndc);
-        EXPECT_NEAR(linear * view.depth_range_m, p.z - (fit.first_caster_z - 1e-3f * view.depth_range_m), 2e-3f * view.depth_range_m);
+        EXPECT_NEAR(linear * view.depth_range_m, p.z - (fit.first_caster_z - 1e-3f * view.depth_range_m),
+                    2e-3f * view.depth_range_m);
       }
     }
   });
@@ -118,7 +121,8 @@ TEST(Warp, GoesSmoothlyToUniformWhenTheLightTurnsAlongTheView) {
   const CameraData data = camera_data(camera, {160, 90}, 1);
   float last_perspective = 0.0f, last_trapezoid = 0.0f;
   for (const float angle : {60.0f, 45.0f, 30.0f, 20.0f, 10.0f, 5.0f, 2.0f, 1.0f, 0.5f}) {
-    const WarpFit fit = warp_fit(data, test::make_sun({std::sin(angle * k_degree), -std::cos(angle * k_degree), 0}), box, box, 0.1f, 50.0f);
+    const WarpFit fit =
+        warp_fit(data, test::make_sun({std::sin(angle * k_degree), -std::cos(angle * k_degree), 0}), box, box, 0.1f, 50.0f);
     const float perspective = light_space_perspective_distance(fit, 0.02f, 1.0f) / fit.bounds.extent().y;
     const float trapezoid = trapezoidal_distance(fit, 0.25f, 0.8f) / fit.bounds.extent().y;
     EXPECT_GT(perspective, last_perspective) << angle;
@@ -161,15 +165,20 @@ Measured measure(View& view, const std::string& technique, std::initializer_list
   result.mask = test::run_technique(view, spec, test::settings_of(spec, assignments)).mask;
   for (const float v : result.mask) EXPECT_TRUE(v >= 0.0f && v <= 1.0f) << technique;
   const auto points = view.frame().read_points();
-  const auto truth = EmbreeReference(view.scene()).trace(points, view.frame().camera().eye_ws, view.scene().lights[0], false, 1, 1);
+  const auto truth =
+      EmbreeReference(view.scene()).trace(points, view.frame().camera().eye_ws, view.scene().lights[0], false, 1, 1);
   result.mae = visibility_error(result.mask, truth.visibility, truth.receiver).mae;
   return result;
 }
 
 // Quads of at most `side` metres.
 void add_fine_quad(MeshPart& part, const vec3& a, const vec3& b, const vec3& d, float side) {
-  const int n = static_cast<int>(std::ceil(glm::length(b - a) / side)), m = static_cast<int>(std::ceil(glm::length(d - a) / side));
-  const auto at = [&](int i, int j) { return a + (b - a) * (static_cast<float>(i) / static_cast<float>(n)) + (d - a) * (static_cast<float>(j) / static_cast<float>(m)); };
+  const int n = static_cast<int>(std::ceil(glm::length(b - a) / side)),
+            m = static_cast<int>(std::ceil(glm::length(d - a) / side));
+  const auto at = [&](int i, int j) {
+    return a + (b - a) * (static_cast<float>(i) / static_cast<float>(n)) +
+           (d - a) * (static_cast<float>(j) / static_cast<float>(m));
+  };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < m; ++j) add_quad(part, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1), {0, 0}, {1, 1});
   }
@@ -178,7 +187,8 @@ void add_fine_quad(MeshPart& part, const vec3& a, const vec3& b, const vec3& d, 
 void add_fine_box(MeshPart& part, const vec3& low, const vec3& high, float side) {
   for (int axis = 0; axis < 3; ++axis) {
     vec3 u(0.0f), v(0.0f);
-    u[(axis + 1) % 3] = high[(axis + 1) % 3] - low[(axis + 1) % 3], v[(axis + 2) % 3] = high[(axis + 2) % 3] - low[(axis + 2) % 3];
+    u[(axis + 1) % 3] = high[(axis + 1) % 3] - low[(axis + 1) % 3],
+                   v[(axis + 2) % 3] = high[(axis + 2) % 3] - low[(axis + 2) % 3];
     vec3 top = low;
     top[axis] = high[axis];
     add_fine_quad(part, top, top + u, top + v, side);
@@ -207,14 +217,18 @@ TEST(Paraboloid, AgreesWithRaysAndBendsOnlyWhereTrianglesAreCoarse) {
   double bent_coarse = 0.0, exact_worst = 0.0;
   for (const float side : {20.0f, 0.1f}) {
     View view(lamp_among_boxes(side), {160, 120});
-    for (const std::string_view axis : {"dual_paraboloid.axis=scene", "dual_paraboloid.axis=down", "dual_paraboloid.axis=view"}) {
+    for (const std::string_view axis :
+         {"dual_paraboloid.axis=scene", "dual_paraboloid.axis=down", "dual_paraboloid.axis=view"}) {
       const double exact = measure(view, "dual_paraboloid/hard", {"dual_paraboloid.size=2048", axis}).mae;
-      const double bent = measure(view, "dual_paraboloid/hard", {"dual_paraboloid.size=2048", "dual_paraboloid.triangles=bent", axis}).mae;
+      const double bent =
+          measure(view, "dual_paraboloid/hard", {"dual_paraboloid.size=2048", "dual_paraboloid.triangles=bent", axis}).mae;
       fmt::print("triangles of {} m, {}: mae exact {:.5f}, bent {:.5f}\n", side, axis, exact, bent);
       EXPECT_LT(exact, 0.01);
       exact_worst = std::max(exact_worst, exact);
-      if (side < 1.0f) EXPECT_LT(bent, 0.02);
-      else bent_coarse = std::max(bent_coarse, bent);
+      if (side < 1.0f)
+        EXPECT_LT(bent, 0.02);
+      else
+        bent_coarse = std::max(bent_coarse, bent);
     }
   }
   EXPECT_GT(bent_coarse, 3.0 * exact_worst) << "coarse triangles are expected to bend";
@@ -226,10 +240,15 @@ View& courtyard() {
 
 TEST(SampleDistribution, OneSplitIsNoWorseThanOneMapOfTheView) {
   const double single = measure(courtyard(), "single/hard", {"single.size=512", "single.fit=view"}).mae;
-  const double one = measure(courtyard(), "sample_distribution/hard", {"sample_distribution.size=512", "sample_distribution.count=1"}).mae;
-  const double loose = measure(courtyard(), "sample_distribution/hard", {"sample_distribution.size=512", "sample_distribution.count=1", "sample_distribution.tight=false"}).mae;
+  const double one =
+      measure(courtyard(), "sample_distribution/hard", {"sample_distribution.size=512", "sample_distribution.count=1"}).mae;
+  const double loose =
+      measure(courtyard(), "sample_distribution/hard",
+              {"sample_distribution.size=512", "sample_distribution.count=1", "sample_distribution.tight=false"})
+          .mae;
   const double four = measure(courtyard(), "sample_distribution/hard", {"sample_distribution.size=512"}).mae;
-  fmt::print("courtyard, 512: single {:.5f}, one split {:.5f} (of the view: {:.5f}), four splits {:.5f}\n", single, one, loose, four);
+  fmt::print("courtyard, 512: single {:.5f}, one split {:.5f} (of the view: {:.5f}), four splits {:.5f}\n", single, one, loose,
+             four);
   EXPECT_LE(one, single);
   EXPECT_LE(loose, 1.1 * single);
   EXPECT_LT(four, 0.7 * one);
@@ -243,12 +262,13 @@ TEST(SampleDistribution, SkyAloneIsLit) {
   for (const float v : test::run_technique(view, spec, spec.default_settings()).mask) ASSERT_EQ(v, 1.0f);
 }
 
-// The light from every elevation, from behind the viewer, toward the viewer and along the view: nothing is lost, and one map that is
-// fitted better is not worse than one that is fitted worse.
+// The light from every elevation, from behind the viewer, toward the viewer and along the view: nothing is lost, and one map
+// that is fitted better is not worse than one that is fitted worse.
 TEST(Projection, LightsFromEverywhere) {
-  const std::pair<std::string, std::string> techniques[] = {{"light_space_perspective/hard", "light_space_perspective.size=1024"},
-                                                            {"trapezoidal/hard", "trapezoidal.size=1024"},
-                                                            {"sample_distribution/hard", "sample_distribution.size=1024"}};
+  const std::pair<std::string, std::string> techniques[] = {
+      {"light_space_perspective/hard", "light_space_perspective.size=1024"},
+      {"trapezoidal/hard", "trapezoidal.size=1024"},
+      {"sample_distribution/hard", "sample_distribution.size=1024"}};
   const std::pair<float, float> angles[] = {{5, 0}, {5, 180}, {20, 0}, {20, 90}, {50, 30}, {85, 0}};
   for (const auto& [elevation, azimuth] : angles) {
     Scene scene = load_scene("courtyard");
@@ -263,13 +283,14 @@ TEST(Projection, LightsFromEverywhere) {
       const double mae = measure(view, technique, {size}).mae;
       fmt::print("elevation {}, azimuth {}: single {:.5f}, {} {:.5f}\n", elevation, azimuth, single, technique, mae);
       // The trapezoid gives the foreground its share whether or not the shadows are there.
-      EXPECT_LT(mae, (technique == "trapezoidal/hard" ? 1.6 : 1.2) * single + 0.002) << technique << ", elevation " << elevation << ", azimuth " << azimuth;
+      EXPECT_LT(mae, (technique == "trapezoidal/hard" ? 1.6 : 1.2) * single + 0.002)
+          << technique << ", elevation " << elevation << ", azimuth " << azimuth;
     }
   }
 }
 
-// Plates a hand's width and three metres behind the aperture; along the light the floor reaches so deep that a thousandth of it is more
-// than that hand.
+// Plates a hand's width and three metres behind the aperture; along the light the floor reaches so deep that a thousandth of it
+// is more than that hand.
 TEST(Projection, NothingBehindAProjectorCasts) {
   Light projector = test::make_light(LightKind::projector, {0.5f, -1, 0.2f}, {0, 0, 0}, 8.0f);
   projector.beam_radius = 3.0f;
@@ -279,7 +300,8 @@ TEST(Projection, NothingBehindAProjectorCasts) {
   for (const float behind : {0.05f, 3.0f}) {
     const vec3 centre = projector.position - behind * projector.direction;
     MeshPart plate = part_of(0);
-    add_quad(plate, centre - 4.0f * (x + y), centre + 4.0f * (x - y), centre + 4.0f * (x + y), centre - 4.0f * (x - y), {0, 0}, {1, 1});
+    add_quad(plate, centre - 4.0f * (x + y), centre + 4.0f * (x - y), centre + 4.0f * (x + y), centre - 4.0f * (x - y), {0, 0},
+             {1, 1});
     parts.push_back(std::move(plate));
   }
   Scene scene = test::scene_with(std::move(parts));

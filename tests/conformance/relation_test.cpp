@@ -10,7 +10,8 @@ namespace {
 using test::View;
 
 View& courtyard(uvec2 size) {
-  return test::kept_view("courtyard", [] { return load_scene("courtyard"); }, size);
+  return test::kept_view(
+      "courtyard", [] { return load_scene("courtyard"); }, size);
 }
 
 VisibilityError error_of(View& view, const std::string& technique, std::initializer_list<std::string_view> assignments) {
@@ -31,7 +32,8 @@ TEST(Relation, PcfOfOneTexelIsHard) {
     const LightKind kind = test::preferred_light(spec);
     View& view = test::kept_view(fmt::format("busy {}", light_kind_name(kind)), [=] { return test::busy(kind); }, {160, 120});
     ++pairs;
-    for (const std::string_view bias : {"bias.constant=0.2", "bias.receiver_plane=false", "bias.slope=1", "bias.normal_offset=3"}) {
+    for (const std::string_view bias :
+         {"bias.constant=0.2", "bias.receiver_plane=false", "bias.slope=1", "bias.normal_offset=3"}) {
       const auto a = test::run_technique(view, spec, test::settings_of(spec, {"pcf.size=1", "pcf.bilinear=false", bias})).mask;
       const auto b = test::run_technique(view, hard, test::settings_of(hard, {bias})).mask;
       size_t different = 0;
@@ -55,7 +57,8 @@ TEST(Relation, LargerMapsAreNearerToTheTruth) {
   EXPECT_LT(last, 0.01);
 }
 
-constexpr std::string_view k_size = "single.size=1024", k_no_constant = "bias.constant=0", k_no_plane = "bias.receiver_plane=false";
+constexpr std::string_view k_size = "single.size=1024", k_no_constant = "bias.constant=0",
+                           k_no_plane = "bias.receiver_plane=false";
 
 TEST(Relation, EveryBiasTakesAcneAway) {
   View& view = courtyard({160, 120});
@@ -65,7 +68,8 @@ TEST(Relation, EveryBiasTakesAcneAway) {
   const auto none = error_of(view, "single/hard", {k_size, k_no_constant, k_no_plane});
   report("no bias", none);
   EXPECT_GT(amount(none.false_shadow), 0.1) << "without any bias about half of what is lit is in its own shadow";
-  for (const std::string_view bias : {"bias.constant=1", "bias.slope=1", "bias.normal_offset=1", "bias.front_face_culling=true"}) {
+  for (const std::string_view bias :
+       {"bias.constant=1", "bias.slope=1", "bias.normal_offset=1", "bias.front_face_culling=true"}) {
     // The last assignment of a key counts.
     const auto with = error_of(view, "single/hard", {k_size, k_no_constant, k_no_plane, bias});
     report(bias, with);
@@ -89,7 +93,8 @@ TEST(Relation, MoreConstantBiasDetachesShadows) {
   double last = 0.0;
   for (const double constant : {0.2, 2.0, 8.0, 32.0}) {
     const auto error = error_of(view, "single/hard", {k_size, fmt::format("bias.constant={}", constant)});
-    fmt::print("bias.constant={:4}: false light {:.5f}, false shadow {:.5f}\n", constant, amount(error.false_light), amount(error.false_shadow));
+    fmt::print("bias.constant={:4}: false light {:.5f}, false shadow {:.5f}\n", constant, amount(error.false_light),
+               amount(error.false_shadow));
     EXPECT_GT(amount(error.false_light), last) << constant;
     last = amount(error.false_light);
   }
@@ -137,20 +142,25 @@ TEST(Relation, MipsAreTheMeanOfThePixel) {
       const auto mask = test::run_technique(view, spec, test::settings_of(spec, {assignment})).mask;
       mae[mips] = visibility_error(mask, mean, whole).mae;
     }
-    fmt::print("single/{}, courtyard, against the mean of {} rays a pixel: mae {:.5f}, with mips {:.5f}\n", filter, k_finer * k_finer, mae[0], mae[1]);
+    fmt::print("single/{}, courtyard, against the mean of {} rays a pixel: mae {:.5f}, with mips {:.5f}\n", filter,
+               k_finer * k_finer, mae[0], mae[1]);
     EXPECT_LT(mae[1], 0.85 * mae[0]) << filter;
   }
 }
 
-// A lamp among its casters has its near plane close by, and its depths far away are a millimetre apart: as much as the default bias.
+// A lamp among its casters has its near plane close by, and its depths far away are a millimetre apart: as much as the default
+// bias.
 TEST(Relation, RoundingOfPerspectiveDepthsIsNoAcne) {
-  View& view = test::kept_view("lamps spot", [] {
-    Scene scene = load_scene("lamps");
-    std::erase_if(scene.lights, [](const Light& light) { return light.kind != LightKind::spot; });
-    return scene;
-  }, {240, 150});
+  View& view = test::kept_view("lamps spot",
+                               [] {
+                                 Scene scene = load_scene("lamps");
+                                 std::erase_if(scene.lights, [](const Light& light) { return light.kind != LightKind::spot; });
+                                 return scene;
+                               },
+                               {240, 150});
   const auto error = error_of(view, "single/hard", {});
-  fmt::print("single/hard, the spot of lamps: false shadow {:.5f}, false light {:.5f}\n", amount(error.false_shadow), amount(error.false_light));
+  fmt::print("single/hard, the spot of lamps: false shadow {:.5f}, false light {:.5f}\n", amount(error.false_shadow),
+             amount(error.false_light));
   EXPECT_LT(amount(error.false_shadow), 0.006);
 }
 

@@ -66,7 +66,8 @@ Scene busy(LightKind kind) {
   if (kind == LightKind::directional) return load_scene("courtyard");
   std::vector<MeshPart> parts = {floor_part(6.0f)};
   for (int i = 0; i < 9; ++i) {
-    const vec3 at(-2.0f + 2.0f * static_cast<float>(i % 3), 0.3f + 0.2f * static_cast<float>(i), -2.0f + 2.0f * static_cast<float>(i / 3));
+    const vec3 at(-2.0f + 2.0f * static_cast<float>(i % 3), 0.3f + 0.2f * static_cast<float>(i),
+                  -2.0f + 2.0f * static_cast<float>(i / 3));
     parts.push_back(box_part(at - vec3(0.4f), at + vec3(0.4f)));
   }
   Scene scene = scene_with(std::move(parts));
@@ -93,7 +94,9 @@ std::vector<uint8_t> receivers(View& view) {
   return flags;
 }
 
-size_t count(const std::vector<uint8_t>& flags) { return static_cast<size_t>(std::count(flags.begin(), flags.end(), uint8_t{1})); }
+size_t count(const std::vector<uint8_t>& flags) {
+  return static_cast<size_t>(std::count(flags.begin(), flags.end(), uint8_t{1}));
+}
 
 const ReferenceResult& hard_reference(View& view) {
   static std::map<const View*, ReferenceResult> results;
@@ -101,14 +104,16 @@ const ReferenceResult& hard_reference(View& view) {
   if (inserted) {
     view.draw();
     const auto points = view.frame().read_points();
-    found->second = EmbreeReference(view.scene()).trace(points, view.frame().camera().eye_ws, view.scene().lights[0], false, 1, 1);
+    found->second =
+        EmbreeReference(view.scene()).trace(points, view.frame().camera().eye_ws, view.scene().lights[0], false, 1, 1);
   }
   return found->second;
 }
 
 std::string test_name(std::string_view text) {
   std::string name(text);
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
   return name;
 }
 

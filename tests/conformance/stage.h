@@ -14,10 +14,10 @@ LightKind preferred_light(const TechniqueSpec& spec);
 Light make_light(LightKind kind, const vec3& direction, const vec3& target, float distance);
 
 // The scenes. Each has one camera and one light, of size `sun_deg` where it is a sun.
-Scene open_floor(LightKind kind);             // a floor and a caster beside it whose shadow the camera does not see
+Scene open_floor(LightKind kind);              // a floor and a caster beside it whose shadow the camera does not see
 Scene closed_room(LightKind kind, bool thin);  // seen from within; walls of half a metre, or without thickness
-Scene box_on_floor(LightKind kind);           // a box that hovers over a floor, its shadow in the picture
-Scene busy(LightKind kind);                   // the courtyard; under a lamp, boxes on a floor
+Scene box_on_floor(LightKind kind);            // a box that hovers over a floor, its shadow in the picture
+Scene busy(LightKind kind);                    // the courtyard; under a lamp, boxes on a floor
 
 // Views are kept for all tests of a run: a scene is uploaded once. `name` stands for what `make` makes.
 View& kept_view(const std::string& name, const std::function<Scene()>& make, uvec2 size, uint32_t samples = 1);

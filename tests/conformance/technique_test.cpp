@@ -18,7 +18,9 @@ struct Pair {
   std::string name;
   LightKind kind;
 };
-void PrintTo(const Pair& pair, std::ostream* stream) { *stream << pair.name << " under a " << light_kind_name(pair.kind) << " light"; }
+void PrintTo(const Pair& pair, std::ostream* stream) {
+  *stream << pair.name << " under a " << light_kind_name(pair.kind) << " light";
+}
 
 class EveryTechnique : public testing::TestWithParam<Pair> {
  protected:
@@ -38,7 +40,8 @@ class EveryTechnique : public testing::TestWithParam<Pair> {
   const TechniqueSpec& spec() const { return find_technique(GetParam().name); }
   View& view(const std::string& name, Scene (*make)(LightKind), uint32_t samples = 1) const {
     const LightKind kind = kind_;
-    return test::kept_view(fmt::format("{} {}", name, light_kind_name(kind)), [=] { return make(kind); }, k_size, samples);
+    return test::kept_view(
+        fmt::format("{} {}", name, light_kind_name(kind)), [=] { return make(kind); }, k_size, samples);
   }
   std::vector<float> mask(View& on, TimingMode mode = TimingMode::play) const {
     return test::run_technique(on, spec(), spec().default_settings(), mode).mask;
@@ -47,7 +50,8 @@ class EveryTechnique : public testing::TestWithParam<Pair> {
   // Filters that estimate a distribution from moments have a parameter against bleeding.
   bool bleeds() const {
     return std::any_of(spec().tables.begin(), spec().tables.end(), [](const auto& table) {
-      return std::any_of(table.second.begin(), table.second.end(), [](const ParamInfo& info) { return info.name == "bleeding"; });
+      return std::any_of(table.second.begin(), table.second.end(),
+                         [](const ParamInfo& info) { return info.name == "bleeding"; });
     });
   }
 
@@ -116,8 +120,8 @@ TEST_P(EveryTechnique, ClosedRoomIsDark) {
   const float threshold = bleeds() ? 0.02f : 0.0f;
   expect_dark(thick, mask(thick), threshold, 0.0f, bleeds() ? 0.01 : 1e-6);
   View& thin = view("thin room", [](LightKind kind) { return test::closed_room(kind, true); });
-  // A filter that bleeds says so by offering to reduce it: in this small picture its footprints are decimetres wide, and every outline
-  // of the room is a contact.
+  // A filter that bleeds says so by offering to reduce it: in this small picture its footprints are decimetres wide, and every
+  // outline of the room is a contact.
   expect_dark(thin, mask(thin), threshold, bleeds() ? 0.8f : 0.1f, bleeds() ? 0.2 : 0.02);
 }
 
@@ -128,10 +132,12 @@ TEST_P(EveryTechnique, SameInputsGiveTheSameBits) {
   EXPECT_EQ(mask(scene, TimingMode::measure), first) << "barriers change the result";
   const auto technique = spec().make(scene.context(), spec().default_settings());
   for (int frame = 0; frame < 2; ++frame) {
-    test::run_passes([&](Recorder& recorder) {
-      scene.frame().record_surface(recorder);
-      technique->record(recorder, scene.frame(), 0);
-    }, TimingMode::play, frame == 1);
+    test::run_passes(
+        [&](Recorder& recorder) {
+          scene.frame().record_surface(recorder);
+          technique->record(recorder, scene.frame(), 0);
+        },
+        TimingMode::play, frame == 1);
     EXPECT_EQ(scene.frame().read_mask(0), first) << "frame " << frame << " of one technique";
   }
 }
@@ -189,8 +195,9 @@ std::vector<Pair> pairs() {
   return list;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryTechnique, testing::ValuesIn(pairs()),
-                         [](const auto& instance) { return test::test_name(fmt::format("{} {}", instance.param.name, light_kind_name(instance.param.kind))); });
+INSTANTIATE_TEST_SUITE_P(All, EveryTechnique, testing::ValuesIn(pairs()), [](const auto& instance) {
+  return test::test_name(fmt::format("{} {}", instance.param.name, light_kind_name(instance.param.kind)));
+});
 
 }  // namespace
 }  // namespace gnomon

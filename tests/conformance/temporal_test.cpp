@@ -44,7 +44,8 @@ double mean_difference(const std::vector<float>& a, const std::vector<float>& b)
 }
 
 bool has_pass(const FrameResult& frame, std::string_view end) {
-  return std::any_of(frame.passes.begin(), frame.passes.end(), [&](const PassResult& pass) { return pass.name.ends_with(end); });
+  return std::any_of(frame.passes.begin(), frame.passes.end(),
+                     [&](const PassResult& pass) { return pass.name.ends_with(end); });
 }
 
 // Over frames in which the sun turns, after those that fill the history.
@@ -64,7 +65,8 @@ const std::vector<ReferenceResult>& truth_of(View& view, float degrees_a_frame) 
   for (int i = 0; i < k_frames; ++i) {
     turn_sun(view, degrees_a_frame * static_cast<float>(i));
     view.draw();
-    frames.push_back(rays.trace(view.frame().read_points(), view.frame().camera().eye_ws, view.frame().lights()[0], false, 1, 1));
+    frames.push_back(
+        rays.trace(view.frame().read_points(), view.frame().camera().eye_ws, view.frame().lights()[0], false, 1, 1));
   }
   return frames;
 }
@@ -104,8 +106,8 @@ TEST(Temporal, HistoryCalmsASlowSunAndSmearsAFastOne) {
     for (const float degrees : {0.05f, 3.0f}) {
       off[degrees] = motion_of(view, name, degrees, "temporal.history=0");
       on[degrees] = motion_of(view, name, degrees, "temporal.history=0.95");
-      fmt::print("{}, hexworld, {:4} degrees a frame, history 0 -> 0.95: flicker {:.5f} -> {:.5f}, mae {:.5f} -> {:.5f}\n", name, degrees,
-                 off[degrees].flicker, on[degrees].flicker, off[degrees].error, on[degrees].error);
+      fmt::print("{}, hexworld, {:4} degrees a frame, history 0 -> 0.95: flicker {:.5f} -> {:.5f}, mae {:.5f} -> {:.5f}\n",
+                 name, degrees, off[degrees].flicker, on[degrees].flicker, off[degrees].error, on[degrees].error);
     }
     EXPECT_LT(on[0.05f].flicker, (name == "single/vsm" ? 0.25 : 0.8) * off[0.05f].flicker) << name;
     const double slow_smear = on[0.05f].error - off[0.05f].error, fast_smear = on[3.0f].error - off[3.0f].error;
@@ -166,8 +168,10 @@ TEST(Temporal, MapsThatFollowTheViewerAreFoundAgain) {
       if (i > 0) last_difference += mean_difference(expected, last) / 7.0;
       last = expected;
     }
-    fmt::print("{}: after 8 frames of walking the mask differs by {:.5f} from the one without history; from frame to frame by {:.5f}\n",
-               name, difference, last_difference);
+    fmt::print(
+        "{}: after 8 frames of walking the mask differs by {:.5f} from the one without history; from frame to frame by "
+        "{:.5f}\n",
+        name, difference, last_difference);
     EXPECT_LT(difference, 0.004) << name;
   }
   view.frame().set_camera(start);
@@ -177,7 +181,8 @@ TEST(Temporal, ACachedMapArrivesAndIsThenKept) {
   View& view = test::kept_view("courtyard", [] { return load_scene("courtyard"); }, {160, 120});
   for (const std::string name : {"single/hard", "single/vsm", "single/msm"}) {
     const auto technique = make(view, name, {"single.size=256", "temporal.history=0.5", "submission.cache=true"});
-    EXPECT_EQ(has_pass(draw(view, *technique), "/temporal"), name == "single/hard") << "the first frame has nothing to blend with";
+    EXPECT_EQ(has_pass(draw(view, *technique), "/temporal"), name == "single/hard")
+        << "the first frame has nothing to blend with";
     EXPECT_FALSE(has_pass(draw(view, *technique), "/temporal")) << "nothing moved, nothing to wait for";
     turn_sun(view, 5.0f);
     for (int i = 0; i < 10; ++i) EXPECT_TRUE(has_pass(draw(view, *technique), "/temporal")) << name << " " << i;

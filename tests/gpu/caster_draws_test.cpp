@@ -41,7 +41,8 @@ Drawn draw(test::View& view, LayeringPath path, CasterCulling culling) {
   info.format = VK_FORMAT_D32_SFLOAT;
   info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   const Image map(device(), info);
-  const Buffer light = views(view.gpu_scene().caster_bounds()), result(device(), "depths", size_t{layers} * k_size * k_size * 4);
+  const Buffer light = views(view.gpu_scene().caster_bounds()),
+               result(device(), "depths", size_t{layers} * k_size * k_size * 4);
   CasterDraws draws(device(), view.gpu_scene(), "test", {.path = path, .layers = layers});
   const FrameResult frame = test::run_passes([&](Recorder& recorder) {
     draws.record(recorder, "test", {&light, 0, sizeof(LightView), layers}, culling, false, map);
@@ -49,7 +50,8 @@ Drawn draw(test::View& view, LayeringPath path, CasterCulling culling) {
       VkBufferImageCopy region = {};
       region.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 0, layers};
       region.imageExtent = {k_size, k_size, 1};
-      vkCmdCopyImageToBuffer(commands.handle(), map.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, result.handle(), 1, &region);
+      vkCmdCopyImageToBuffer(commands.handle(), map.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, result.handle(), 1,
+                             &region);
     });
   });
   Drawn drawn;
@@ -64,8 +66,10 @@ TEST(CasterDraws, EveryPathAndCullingDrawsTheSameBits) {
   size_t covered = 0;
   for (const float depth : expected.depths) covered += depth < 1.0f;
   ASSERT_GT(covered, expected.depths.size() / 4);
-  for (size_t i = size_t{k_layers} * k_size * k_size; i < expected.depths.size(); ++i) ASSERT_EQ(expected.depths[i], 1.0f) << "a layer that is not in use";
-  for (const auto path : {LayeringPath::per_layer, LayeringPath::vertex_layer, LayeringPath::geometry, LayeringPath::multiview}) {
+  for (size_t i = size_t{k_layers} * k_size * k_size; i < expected.depths.size(); ++i)
+    ASSERT_EQ(expected.depths[i], 1.0f) << "a layer that is not in use";
+  for (const auto path :
+       {LayeringPath::per_layer, LayeringPath::vertex_layer, LayeringPath::geometry, LayeringPath::multiview}) {
     if (const std::string missing = layering_path_missing(device().info(), path); !missing.empty()) {
       fmt::print("{} is not tested: the device lacks {}\n", layering_path_name(path), missing);
       continue;

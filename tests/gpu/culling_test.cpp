@@ -79,7 +79,8 @@ DrawList cull(test::View& view, const mat4& clip_from_world, uint32_t flags) {
     draws.record(recorder, view.frame().cull_pipeline(), "cull", PassStage::other, matrix.address(), flags);
   });
   const auto uses = draws.uses();
-  const Buffer &commands = **std::get_if<const Buffer*>(&uses[0].resource), &counts = **std::get_if<const Buffer*>(&uses[1].resource);
+  const Buffer &commands = **std::get_if<const Buffer*>(&uses[0].resource),
+               &counts = **std::get_if<const Buffer*>(&uses[1].resource);
   DrawList list;
   list.counts = read_back_as<uint32_t>(device(), counts, k_bucket_count);
   list.draws = read_back_as<DrawCommand>(device(), commands, scene.item_count());
@@ -118,7 +119,8 @@ TEST(Culling, DrawListEqualsBruteForce) {
             continue;
           }
           ++(present ? kept : culled);
-          EXPECT_EQ(present, verdict == Verdict::inside) << "camera " << camera.name << ", flags " << flags << ", item " << item;
+          EXPECT_EQ(present, verdict == Verdict::inside)
+              << "camera " << camera.name << ", flags " << flags << ", item " << item;
         }
       }
     }

@@ -36,17 +36,21 @@ std::vector<float> depth_map(Scene scene, const Options& options = {}) {
   info.format = VK_FORMAT_D32_SFLOAT;
   info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   const Image map(device(), info);
-  const Buffer light(device(), "view", 2 * sizeof(LightView), BufferMemory::upload), result(device(), "depths", k_size * k_size * 4);
-  for (int layer = 0; layer < 2; ++layer) light.mapped_as<LightView>()[layer] = {from_above(), k_view_projective, 0.0f, k_depth, 1};
+  const Buffer light(device(), "view", 2 * sizeof(LightView), BufferMemory::upload),
+      result(device(), "depths", k_size * k_size * 4);
+  for (int layer = 0; layer < 2; ++layer)
+    light.mapped_as<LightView>()[layer] = {from_above(), k_view_projective, 0.0f, k_depth, 1};
   light.flush();
   CasterDraws draws(device(), view.gpu_scene(), "light", {.depth_clamp = options.depth_clamp, .layers = 2});
   test::run_passes([&](Recorder& recorder) {
-    draws.record(recorder, "light", {&light, 0, sizeof(LightView), 2}, CasterCulling::clusters, options.front_face_culling, map);
+    draws.record(recorder, "light", {&light, 0, sizeof(LightView), 2}, CasterCulling::clusters, options.front_face_culling,
+                 map);
     recorder.pass("copy", PassStage::other, {{map, Use::copy_read}, {result, Use::copy_write}}, [&](Commands& commands) {
       VkBufferImageCopy region = {};
       region.imageSubresource = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, 1};
       region.imageExtent = {k_size, k_size, 1};
-      vkCmdCopyImageToBuffer(commands.handle(), map.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, result.handle(), 1, &region);
+      vkCmdCopyImageToBuffer(commands.handle(), map.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, result.handle(), 1,
+                             &region);
     });
   });
   return read_back_as<float>(device(), result, k_size * k_size);
@@ -76,7 +80,8 @@ TEST(DepthPass, TiltedPlaneHasItsAnalyticDepth) {
 }
 
 TEST(DepthPass, NearestCasterWinsAndNothingIsOne) {
-  const auto map = depth_map(test::scene_with({test::box_part({-1, 1, -1}, {1, 2, 1}), test::box_part({-1, 4, -1}, {0, 5, 1})}));
+  const auto map =
+      depth_map(test::scene_with({test::box_part({-1, 1, -1}, {1, 2, 1}), test::box_part({-1, 4, -1}, {0, 5, 1})}));
   for (uint32_t i = 0; i < map.size(); ++i) {
     const dvec3 p = texel_centre(i);
     const bool low = std::abs(p.x) < 1.0 && std::abs(p.z) < 1.0, high = low && p.x < 0.0;
@@ -137,7 +142,8 @@ TEST(DepthPass, FrontFaceCullingKeepsTheFarSideOfMirroredAndPlainBoxes) {
         const auto map = depth_map(std::move(scene), {.front_face_culling = front_face_culling});
         const double expected = depth_of(front_face_culling ? 1.0 : 2.0);
         EXPECT_NEAR(double(map[k_size / 2 * k_size + k_size / 2]), expected, 1e-6)
-            << "culling " << front_face_culling << ", double-sided " << double_sided << ", determinant " << glm::determinant(transform);
+            << "culling " << front_face_culling << ", double-sided " << double_sided << ", determinant "
+            << glm::determinant(transform);
       }
     }
   }

@@ -44,7 +44,11 @@ TEST(Device, UnsupportedSampleCountIsAnErrorThatListsTheCounts) {
   const GpuScene gpu_scene(device(), scene);
   const Light sun = test::make_sun({0, -1, 0});
   for (const uint32_t samples : {0u, 3u, 64u}) {
-    const std::string message = error_of([&] { Frame(device(), gpu_scene, {16, 16}, samples, std::span(&sun, 1)); }, ExitCode::device);
+    const std::string message = error_of(
+        [&] {
+          Frame(device(), gpu_scene, {16, 16}, samples, std::span(&sun, 1));
+        },
+        ExitCode::device);
     EXPECT_NE(message.find(fmt::format("{} samples", samples)), std::string::npos) << message;
     EXPECT_NE(message.find(fmt::format("{}", fmt::join(device().info().sample_counts, ", "))), std::string::npos) << message;
   }

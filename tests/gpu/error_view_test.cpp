@@ -26,7 +26,8 @@ struct Answers {
 
 class ErrorViewTest : public testing::TestWithParam<uint32_t> {
  protected:
-  ErrorViewTest() : view_(make_scene(), {61, 43}, GetParam()), answers_(view_.frame().sample_count()), error_(device(), GetParam()) {
+  ErrorViewTest()
+      : view_(make_scene(), {61, 43}, GetParam()), answers_(view_.frame().sample_count()), error_(device(), GetParam()) {
     view_.draw();
     const ErrorView::Reference light{answers_.truth, answers_.receiver};
     error_.set_reference(view_.frame(), std::span(&light, 1));
@@ -48,7 +49,8 @@ TEST_P(ErrorViewTest, IsTheMapOfTheReport) {
   const Image8 shaded = view_.frame().read_display();
   test::run_passes([&](Recorder& recorder) { error_.record(recorder, view_.frame(), 0); });
   const Image8 seen = view_.frame().read_display();
-  const Image8 expected = signed_error_map(answers_.mask, answers_.truth, answers_.receiver, static_cast<int>(GetParam()), shaded);
+  const Image8 expected =
+      signed_error_map(answers_.mask, answers_.truth, answers_.receiver, static_cast<int>(GetParam()), shaded);
   ASSERT_EQ(seen.rgba.size(), expected.rgba.size());
   for (size_t i = 0; i < seen.rgba.size(); ++i) ASSERT_NEAR(seen.rgba[i], expected.rgba[i], 1) << "byte " << i;
 }

@@ -41,7 +41,8 @@ TEST(Octahedral, AxesAndFoldsAreExact) {
 }
 
 TEST(Octahedral, ResultIsUnit) {
-  for (uint32_t word = 0; word < 0xffff0000u; word += 65521u * 3u) EXPECT_NEAR(glm::length(unpack_normal(word)), 1.0f, 1e-6f) << word;
+  for (uint32_t word = 0; word < 0xffff0000u; word += 65521u * 3u)
+    EXPECT_NEAR(glm::length(unpack_normal(word)), 1.0f, 1e-6f) << word;
 }
 
 }  // namespace

@@ -50,9 +50,12 @@ Seen look_at(Scene scene) {
   View view(std::move(scene), {96, 72});
   view.draw();
   const Light& sun = view.scene().lights[0];
-  return {test::read_surface<float>(view, "surface view_z"),
-          EmbreeReference(view.scene()).trace(view.frame().read_points(), view.frame().camera().eye_ws, sun, false, 1, 1).visibility,
-          PipelineReference(device(), view.context().acceleration_structure()).trace(view.frame(), sun, false, 1, 1).visibility};
+  return {
+      test::read_surface<float>(view, "surface view_z"),
+      EmbreeReference(view.scene())
+          .trace(view.frame().read_points(), view.frame().camera().eye_ws, sun, false, 1, 1)
+          .visibility,
+      PipelineReference(device(), view.context().acceleration_structure()).trace(view.frame(), sun, false, 1, 1).visibility};
 }
 
 void expect_same_as_baked(const std::string& name, const mat4& transform) {
@@ -76,7 +79,8 @@ void expect_same_as_baked(const std::string& name, const mat4& transform) {
 
 TEST(Placement, MirroredObjects) {
   expect_same_as_baked("across x", glm::scale(mat4(1.0f), vec3(-1, 1, 1)));
-  expect_same_as_baked("across z, turned", glm::rotate(mat4(1.0f), 0.7f, vec3(0, 1, 0)) * glm::scale(mat4(1.0f), vec3(1, 1, -1.3f)));
+  expect_same_as_baked("across z, turned",
+                       glm::rotate(mat4(1.0f), 0.7f, vec3(0, 1, 0)) * glm::scale(mat4(1.0f), vec3(1, 1, -1.3f)));
 }
 
 TEST(Placement, FlattenedObjectsCast) {

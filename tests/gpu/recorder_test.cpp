@@ -52,9 +52,11 @@ TEST(Recorder, EveryModeCountsTheSame) {
   std::set<std::string> seen;
   for (const TimingMode mode : {TimingMode::play, TimingMode::measure}) {
     for (const bool isolate : {false, true}) {
-      const FrameResult frame = test::run_passes([&](Recorder& recorder) { view.frame().record_surface(recorder); }, mode, isolate);
+      const FrameResult frame =
+          test::run_passes([&](Recorder& recorder) { view.frame().record_surface(recorder); }, mode, isolate);
       std::string text;
-      for (const PassResult& pass : frame.passes) text += fmt::format("{} {} {} {};", pass.name, pass.draws, pass.dispatches, pass.triangles);
+      for (const PassResult& pass : frame.passes)
+        text += fmt::format("{} {} {} {};", pass.name, pass.draws, pass.dispatches, pass.triangles);
       seen.insert(text);
     }
   }
@@ -82,7 +84,8 @@ TEST(Recorder, IsolatedPassesHaveTimesThatAddUp) {
 
 TEST(Recorder, PassesLieWithinTheFrame) {
   View view(row_of_boxes());
-  const FrameResult frame = test::run_passes([&](Recorder& recorder) { view.frame().record_surface(recorder); }, TimingMode::measure);
+  const FrameResult frame =
+      test::run_passes([&](Recorder& recorder) { view.frame().record_surface(recorder); }, TimingMode::measure);
   double sum = 0.0;
   for (const PassResult& pass : frame.passes) {
     EXPECT_GE(pass.gpu_ms, 0.0) << pass.name;
@@ -136,7 +139,8 @@ TEST(Recorder, TooManyPassesIsAnErrorThatNamesThePass) {
   const std::string message = test::error_of(
       [] {
         test::run_passes([](Recorder& recorder) {
-          for (uint32_t i = 0; i <= Recorder::k_max_passes; ++i) recorder.pass(fmt::format("pass {}", i), PassStage::other, {}, [](Commands&) {});
+          for (uint32_t i = 0; i <= Recorder::k_max_passes; ++i)
+            recorder.pass(fmt::format("pass {}", i), PassStage::other, {}, [](Commands&) {});
         });
       },
       ExitCode::failure);
@@ -148,7 +152,9 @@ TEST(Recorder, AFrameThatFailsHasNeverHappened) {
   info.name = "picture";
   info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   const Image picture(device(), info);
-  const auto use = [&](Recorder& recorder, Use how) { recorder.pass("use", PassStage::other, {{picture, how}}, [](Commands&) {}); };
+  const auto use = [&](Recorder& recorder, Use how) {
+    recorder.pass("use", PassStage::other, {{picture, how}}, [](Commands&) {});
+  };
   Recorder kept(device(), TimingMode::play, false);
   kept.frame([&] { use(kept, Use::copy_write); });
   const auto fails = [&](Recorder& recorder) {

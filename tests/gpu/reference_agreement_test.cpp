@@ -48,12 +48,14 @@ void expect_agreement(const std::string& name, Scene scene) {
   constexpr int k_samples = 8;
   const Masks soft = trace_both(view, sun, true, k_samples);
   double difference = 0.0;
-  for (size_t i = 0; i < soft.embree.visibility.size(); ++i) difference += double(soft.pipeline.visibility[i]) - double(soft.embree.visibility[i]);
+  for (size_t i = 0; i < soft.embree.visibility.size(); ++i)
+    difference += double(soft.pipeline.visibility[i]) - double(soft.embree.visibility[i]);
   difference /= static_cast<double>(receivers);
   EXPECT_LE(std::abs(difference), std::min(soft.embree.confidence, soft.pipeline.confidence)) << name;
-  fmt::print("{}: {} receivers, {} lit; hard: {} differ ({:.4f} %); area: mean difference {:+.2e}, confidence {:.2e} and {:.2e}\n", name,
-             receivers, lit, different, 100.0 * static_cast<double>(different) / static_cast<double>(receivers), difference,
-             soft.embree.confidence, soft.pipeline.confidence);
+  fmt::print(
+      "{}: {} receivers, {} lit; hard: {} differ ({:.4f} %); area: mean difference {:+.2e}, confidence {:.2e} and {:.2e}\n",
+      name, receivers, lit, different, 100.0 * static_cast<double>(different) / static_cast<double>(receivers), difference,
+      soft.embree.confidence, soft.pipeline.confidence);
 }
 
 TEST(ReferenceAgreement, Courtyard) { expect_agreement("courtyard", load_scene("courtyard")); }
@@ -104,8 +106,8 @@ TEST(ReferenceAgreement, RayTracedIsExactlyThePipelineReference) {
     view.draw();
     const auto& spec = find_technique("ray_traced");
     const auto mask = test::run_technique(view, spec, spec.default_settings()).mask;
-    const auto reference =
-        PipelineReference(device(), view.context().acceleration_structure()).trace(view.frame(), view.scene().lights[0], false, 1, 1);
+    const auto reference = PipelineReference(device(), view.context().acceleration_structure())
+                               .trace(view.frame(), view.scene().lights[0], false, 1, 1);
     const auto shares = test::read_surface<uint32_t>(view, "surface share");
     size_t compared = 0, different = 0;
     for (size_t i = 0; i < mask.size(); ++i) {

@@ -106,8 +106,8 @@ TEST(Reference, HardShadowsEqualTheClosedForm) {
 
     const Disagreement a = compare_hard(view, points, on_cpu.visibility), b = compare_hard(view, points, on_gpu.visibility),
                        c = compare_hard(view, points, technique);
-    fmt::print("{}: {} samples, {} lit; disagree on an edge: embree {}, pipeline {}, ray_traced {}\n", chart.text(), a.compared, a.lit,
-               a.near, b.near, c.near);
+    fmt::print("{}: {} samples, {} lit; disagree on an edge: embree {}, pipeline {}, ray_traced {}\n", chart.text(), a.compared,
+               a.lit, a.near, b.near, c.near);
     expect_exact(a, chart.text() + ", embree");
     expect_exact(b, chart.text() + ", pipeline");
     expect_exact(c, chart.text() + ", ray_traced");
@@ -127,9 +127,7 @@ TEST(Reference, TheEdgeTestCanFail) {
 
 // |found - exact| that n points of the scrambled sequence may show: five standard errors of as many independent ones, and two
 // samples where the fraction is so small that there is no spread.
-double sampling_bound(double exact, int samples) {
-  return 5.0 * std::sqrt(exact * (1.0 - exact) / samples) + 2.0 / samples;
-}
+double sampling_bound(double exact, int samples) { return 5.0 * std::sqrt(exact * (1.0 - exact) / samples) + 2.0 / samples; }
 
 struct AreaError {
   double worst = 0.0, mean = 0.0;
@@ -164,8 +162,8 @@ TEST(Reference, SoftShadowsEqualTheClosedFormWithinTheirConfidence) {
     const Light& sun = view.scene().lights[0];
     const auto on_cpu = embree.trace(points, view.frame().camera().eye_ws, sun, true, k_samples, 1);
     const AreaError error = compare_area(view, points, on_cpu, k_samples);
-    fmt::print("{}: {} samples, {} in penumbra; largest difference {:.4f}, mean {:+.6f}, confidence {:.6f}\n", chart.text(), error.compared,
-               error.penumbra, error.worst, error.mean, on_cpu.confidence);
+    fmt::print("{}: {} samples, {} in penumbra; largest difference {:.4f}, mean {:+.6f}, confidence {:.6f}\n", chart.text(),
+               error.compared, error.penumbra, error.worst, error.mean, on_cpu.confidence);
     EXPECT_GT(error.penumbra, 100u) << chart.text();
     EXPECT_EQ(error.beyond, 0u) << chart.text();
     EXPECT_LE(std::abs(error.mean), on_cpu.confidence) << chart.text();
@@ -179,9 +177,11 @@ TEST(Reference, PipelineTracesTheSameSoftShadows) {
   const auto points = view.frame().read_points();
   const Light& sun = view.scene().lights[0];
   const auto on_cpu = EmbreeReference(view.scene()).trace(points, view.frame().camera().eye_ws, sun, true, k_samples, 1);
-  const auto on_gpu = PipelineReference(device(), view.context().acceleration_structure()).trace(view.frame(), sun, true, k_samples, 1);
+  const auto on_gpu =
+      PipelineReference(device(), view.context().acceleration_structure()).trace(view.frame(), sun, true, k_samples, 1);
   size_t different = 0;
-  for (size_t i = 0; i < points.size(); ++i) different += std::abs(on_cpu.visibility[i] - on_gpu.visibility[i]) > 0.5f / k_samples;
+  for (size_t i = 0; i < points.size(); ++i)
+    different += std::abs(on_cpu.visibility[i] - on_gpu.visibility[i]) > 0.5f / k_samples;
   fmt::print("chart/slab, disc sun, {} rays each: {} of {} samples differ\n", k_samples, different, points.size());
   // The same rays from the same points: only those that graze the edge may answer differently.
   EXPECT_LE(different, points.size() / 200);
@@ -193,10 +193,12 @@ TEST(Reference, AnotherSeedGivesAnotherSampleOfTheSameMean) {
   const auto points = view.frame().read_points();
   const EmbreeReference embree(view.scene());
   const Light& sun = view.scene().lights[0];
-  const auto a = embree.trace(points, view.frame().camera().eye_ws, sun, true, 16, 1), b = embree.trace(points, view.frame().camera().eye_ws, sun, true, 16, 2);
+  const auto a = embree.trace(points, view.frame().camera().eye_ws, sun, true, 16, 1),
+             b = embree.trace(points, view.frame().camera().eye_ws, sun, true, 16, 2);
   EXPECT_NE(a.visibility, b.visibility);
   double difference = 0.0, receivers = 0.0;
-  for (size_t i = 0; i < points.size(); ++i) difference += double(a.visibility[i] - b.visibility[i]), receivers += a.receiver[i];
+  for (size_t i = 0; i < points.size(); ++i)
+    difference += double(a.visibility[i] - b.visibility[i]), receivers += a.receiver[i];
   EXPECT_LE(std::abs(difference / receivers), a.confidence + b.confidence);
 }
 

@@ -71,7 +71,8 @@ TEST_F(ShaderWatching, AnEditChangesWhatIsComputed) {
   const ShaderNews news = news_of(watch);
   EXPECT_EQ(news.error, "");
   ASSERT_TRUE(news.compiled.contains("resolve/single/pcf.comp"));
-  for (const auto& [name, words] : news.compiled) EXPECT_TRUE(name.starts_with("resolve/") && name.ends_with("/pcf.comp")) << name;
+  for (const auto& [name, words] : news.compiled)
+    EXPECT_TRUE(name.starts_with("resolve/") && name.ends_with("/pcf.comp")) << name;
   EXPECT_EQ(share_of(mask(), 0.25f), 0.0) << "nothing is replaced before the caller does";
   set_replaced_shaders(news.compiled);
   EXPECT_GT(share_of(mask(), 0.25f), 0.5);

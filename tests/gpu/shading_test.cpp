@@ -68,7 +68,8 @@ TEST(Shading, IsAmbientPlusVisibilityTimesLambert) {
     const ImageF image = shaded(view, visibility);
     const dvec3 expected = ambient + albedo / double(k_pi) * 3.0 * 0.8 * double(visibility);
     const dvec3 found = rgb(image, 32 * 64 + 32);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-3 * expected[c]) << "visibility " << visibility << ", channel " << c;
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[c], expected[c], 1e-3 * expected[c]) << "visibility " << visibility << ", channel " << c;
     EXPECT_EQ(image.values[(32 * 64 + 32) * 4 + 3], 1.0f) << "coverage";
   }
 }
@@ -170,7 +171,9 @@ TEST(Shading, EveryLightHasItsOwnMask) {
   const ImageF none = picture(zeros, zeros), a = picture(ones, zeros), b = picture(zeros, ones), both = picture(ones, ones);
   double worst = 0.0;
   for (size_t i = 0; i < none.values.size(); ++i) {
-    if (i % 4 != 3) worst = std::max(worst, std::abs(double(both.values[i] - none.values[i]) - double(a.values[i] - none.values[i]) - double(b.values[i] - none.values[i])));
+    if (i % 4 != 3)
+      worst = std::max(worst, std::abs(double(both.values[i] - none.values[i]) - double(a.values[i] - none.values[i]) -
+                                       double(b.values[i] - none.values[i])));
   }
   EXPECT_LT(worst, 1e-6);
   EXPECT_NE(a.values, b.values);

@@ -20,8 +20,8 @@ std::vector<dvec2> sample_positions(uint32_t samples) {
   if (samples == 2) return {dvec2(12, 12) / 16.0, dvec2(4, 4) / 16.0};
   if (samples == 4) return {dvec2(6, 2) / 16.0, dvec2(14, 6) / 16.0, dvec2(2, 10) / 16.0, dvec2(10, 14) / 16.0};
   if (samples == 8) {
-    return {dvec2(9, 5) / 16.0, dvec2(7, 11) / 16.0, dvec2(13, 9) / 16.0, dvec2(5, 3) / 16.0,
-            dvec2(3, 13) / 16.0, dvec2(1, 7) / 16.0, dvec2(11, 15) / 16.0, dvec2(15, 1) / 16.0};
+    return {dvec2(9, 5) / 16.0,  dvec2(7, 11) / 16.0, dvec2(13, 9) / 16.0,  dvec2(5, 3) / 16.0,
+            dvec2(3, 13) / 16.0, dvec2(1, 7) / 16.0,  dvec2(11, 15) / 16.0, dvec2(15, 1) / 16.0};
   }
   return {dvec2(0.5)};
 }
@@ -50,7 +50,8 @@ void for_each_sample(const Camera& camera, uint32_t samples, const Visit& visit)
   size_t index = 0;
   for (uint32_t y = 0; y < k_size.y; ++y) {
     for (uint32_t x = 0; x < k_size.x; ++x) {
-      for (uint32_t s = 0; s < samples; ++s, ++index) visit(index, camera_ray(camera, dvec2(x, y) + positions[s]), y * k_size.x + x, s);
+      for (uint32_t s = 0; s < samples; ++s, ++index)
+        visit(index, camera_ray(camera, dvec2(x, y) + positions[s]), y * k_size.x + x, s);
     }
   }
 }
@@ -93,7 +94,8 @@ TEST(Surface, PlaneIsWhereItIs) {
       EXPECT_GT(seen, points.size() / 2);
       const std::string what = fmt::format("{} samples{}", samples, orthographic ? ", orthographic" : "");
       EXPECT_LT(worst_z, 1e-5) << what;
-      // What rays rely on (base/glsl/sampling.glsl, ray_origin): half of the 2^-19 of the largest coordinate that they start above.
+      // What rays rely on (base/glsl/sampling.glsl, ray_origin): half of the 2^-19 of the largest coordinate that they start
+      // above.
       EXPECT_LT(worst_height, std::ldexp(1.0, -20)) << what;
     }
   }
@@ -166,8 +168,9 @@ TEST(Surface, SamplesLieAtTheStandardPositions) {
     size_t checked = 0, wrong = 0;
     for_each_sample(view.scene().cameras[0], samples, [&](size_t i, const Ray& ray, uint32_t, uint32_t) {
       const dvec3 p = ray.origin - ray.direction * (ray.origin.z / ray.direction.z);
-      const double inside = 1.0 - std::max(std::abs(c * p.x + s * p.y), std::abs(-s * p.x + c * p.y));  // metres from the border
-      if (std::abs(inside) < metres_per_pixel / 64.0) return;  // the rasteriser's grid is 1/256 pixel
+      const double inside =
+          1.0 - std::max(std::abs(c * p.x + s * p.y), std::abs(-s * p.x + c * p.y));  // metres from the border
+      if (std::abs(inside) < metres_per_pixel / 64.0) return;                         // the rasteriser's grid is 1/256 pixel
       ++checked;
       wrong += (items[i] != 0xffffffffu) != (inside > 0.0);
     });
@@ -246,7 +249,8 @@ TEST(Surface, MirroredAndDoubleSidedObjectsAreSeenFromTheRightSide) {
     if (point.object == k_no_object) return std::string("sky");
     return std::string(point.geometric_normal_ws.z * eye_z > 0.0f ? "toward" : "away");
   };
-  const mat4 plain(1.0f), mirrored_x = glm::scale(mat4(1.0f), vec3(-1, 1, 1)), mirrored_z = glm::scale(mat4(1.0f), vec3(1, 1, -1));
+  const mat4 plain(1.0f), mirrored_x = glm::scale(mat4(1.0f), vec3(-1, 1, 1)),
+                          mirrored_z = glm::scale(mat4(1.0f), vec3(1, 1, -1));
   EXPECT_EQ(middle(plain, false, 3.0f), "toward");
   EXPECT_EQ(middle(plain, false, -3.0f), "sky") << "a back face was drawn";
   EXPECT_EQ(middle(plain, true, -3.0f), "toward") << "the normal must turn toward the viewer";

@@ -10,7 +10,7 @@
 namespace gnomon {
 namespace {
 
-constexpr Use k_uses[] = {Use::compute_read, Use::compute_write, Use::graphics_read, Use::sampled,  Use::colour_write,
+constexpr Use k_uses[] = {Use::compute_read, Use::compute_write, Use::graphics_read, Use::sampled,    Use::colour_write,
                           Use::depth_write,  Use::indirect_read, Use::copy_read,     Use::copy_write, Use::ray_read,
                           Use::ray_write,    Use::build_read,    Use::build_write};
 
@@ -48,7 +48,8 @@ class Model {
     }
     if (!image || t.from_layout == t.to_layout) return;
     // A change of layout reads and writes the image between the two scopes; it must itself come after everything.
-    for (const Operation& operation : done_) check((operation.reached & to) == to, "the layout changes under an earlier access");
+    for (const Operation& operation : done_)
+      check((operation.reached & to) == to, "the layout changes under an earlier access");
     done_.push_back({{to, 0}, true, true, to, {{to, t.to_access}}});
     layout_ = t.to_layout;
   }

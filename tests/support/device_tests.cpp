@@ -1,5 +1,5 @@
-// main of the tests that need a device: --file=NAME runs the tests of one source file, so that CTest starts a device per file and
-// not per test.
+// main of the tests that need a device: --file=NAME runs the tests of one source file, so that CTest starts a device per file
+// and not per test.
 #include "support/device_tests.h"
 
 #include <cstring>

@@ -22,7 +22,8 @@ SettingsMap settings_of(const TechniqueSpec& spec, std::initializer_list<std::st
   SettingsMap settings = spec.default_settings();
   for (const std::string_view assignment : assignments) {
     const size_t dot = assignment.find('.'), equals = assignment.find('=');
-    settings.find(assignment.substr(0, dot))->second.set(assignment.substr(dot + 1, equals - dot - 1), assignment.substr(equals + 1), assignment);
+    settings.find(assignment.substr(0, dot))
+        ->second.set(assignment.substr(dot + 1, equals - dot - 1), assignment.substr(equals + 1), assignment);
   }
   return settings;
 }

@@ -41,11 +41,12 @@ class View {
 struct TechniqueRun {
   std::vector<float> mask;  // of the first light
   FrameResult frame;
-  uint64_t bytes = 0;       // that making the technique took, without what it shares
+  uint64_t bytes = 0;  // that making the technique took, without what it shares
 };
 
 // Makes the technique, draws the surface and the mask.
-TechniqueRun run_technique(View& view, const TechniqueSpec& spec, const SettingsMap& settings, TimingMode mode = TimingMode::play);
+TechniqueRun run_technique(View& view, const TechniqueSpec& spec, const SettingsMap& settings,
+                           TimingMode mode = TimingMode::play);
 // {"bias.constant=0.5", ...} on top of the defaults.
 SettingsMap settings_of(const TechniqueSpec& spec, std::initializer_list<std::string_view> assignments = {});
 

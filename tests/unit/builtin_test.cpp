@@ -84,8 +84,8 @@ TEST(builtin, scenes_are_listed_by_name_with_sensible_options) {
       EXPECT_FALSE(option.help.empty());
     }
   }
-  EXPECT_EQ(names, (std::set<std::string>{"chart/fence", "chart/slab", "chart/sphere", "courtyard", "hexworld", "lamps", "landscape",
-                                          "terrain", "town"}));
+  EXPECT_EQ(names, (std::set<std::string>{"chart/fence", "chart/slab", "chart/sphere", "courtyard", "hexworld", "lamps",
+                                          "landscape", "terrain", "town"}));
 }
 
 TEST(builtin, scenes_pass_the_check_and_have_a_sun_and_a_default_camera) {

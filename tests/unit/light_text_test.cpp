@@ -55,17 +55,19 @@ void expect_same(const Light& a, const Light& b, const std::string& text) {
   const float turned = a.kind == LightKind::point ? 0.0f : glm::length(a.direction - b.direction);
   EXPECT_LT(turned, 3e-7f) << text;
   EXPECT_EQ(a.colour, b.colour) << text;
-  for (float Light::*member : {&Light::intensity, &Light::angular_diameter, &Light::radius, &Light::range, &Light::inner_cone, &Light::outer_cone}) {
+  for (float Light::*member :
+       {&Light::intensity, &Light::angular_diameter, &Light::radius, &Light::range, &Light::inner_cone, &Light::outer_cone}) {
     EXPECT_FLOAT_EQ(a.*member, b.*member) << text;
   }
   EXPECT_EQ(a.beam_radius, b.beam_radius) << text;
 }
 
 TEST(light_text, what_is_written_reads_the_same) {
-  for (const char* text :
-       {"sun:0,90", "sun:0,-90", "sun:135,50", "sun:-179.9,0.01", "sun:33.333,89.99", "point:1,2.5,-3", "point:0.1,1e-06,12345.678",
-        "spot:0,4,0:0,0,0", "spot:0,4,0:0,0,0:intensity=250,radius=0.1,range=20,inner=10,outer=30,colour=1/0.5/0.25,name=desk",
-        "spot:1e5,2e5,3e5:1e5,2e5,2.9e5:outer=12.3456", "projector:0,4,0:4,4,0:beam=2,angular_diameter=0.77", "sun:10,20:angular_diameter=0,intensity=12345.67"}) {
+  for (const char* text : {"sun:0,90", "sun:0,-90", "sun:135,50", "sun:-179.9,0.01", "sun:33.333,89.99", "point:1,2.5,-3",
+                           "point:0.1,1e-06,12345.678", "spot:0,4,0:0,0,0",
+                           "spot:0,4,0:0,0,0:intensity=250,radius=0.1,range=20,inner=10,outer=30,colour=1/0.5/0.25,name=desk",
+                           "spot:1e5,2e5,3e5:1e5,2e5,2.9e5:outer=12.3456", "projector:0,4,0:4,4,0:beam=2,angular_diameter=0.77",
+                           "sun:10,20:angular_diameter=0,intensity=12345.67"}) {
     const Light light = *parse_light(text);
     for (const float reach : {0.01f, 1.0f, 1234.5f}) {
       const std::string written = light_text(light, reach);
@@ -75,8 +77,8 @@ TEST(light_text, what_is_written_reads_the_same) {
 }
 
 TEST(light_text, is_written_as_people_write_it) {
-  for (const char* text : {"sun:135,50", "sun:-12.5,30:angular_diameter=2", "point:1,2.5,-3:intensity=40", "spot:0,4,0:0,0,0:name=desk,inner=10,outer=30",
-                           "projector:0,4,0:4,4,0:colour=1/0.5/0.25,beam=2"}) {
+  for (const char* text : {"sun:135,50", "sun:-12.5,30:angular_diameter=2", "point:1,2.5,-3:intensity=40",
+                           "spot:0,4,0:0,0,0:name=desk,inner=10,outer=30", "projector:0,4,0:4,4,0:colour=1/0.5/0.25,beam=2"}) {
     EXPECT_EQ(light_text(*parse_light(text), light_reach(text)), text);
   }
 }

@@ -9,7 +9,8 @@ namespace gnomon {
 namespace {
 
 TEST(PathFile, what_is_written_reads_the_same) {
-  const CameraPath path{"a \"walk\"", {{0.0, {0.1f, 1e-7f, 3e8f}, {0, 0, -1}}, {0.1, {1, 2, 3}, {4, 5, 6}}, {1.7, {1, 2, 4}, {4, 5, 6}}}};
+  const CameraPath path{"a \"walk\"",
+                        {{0.0, {0.1f, 1e-7f, 3e8f}, {0, 0, -1}}, {0.1, {1, 2, 3}, {4, 5, 6}}, {1.7, {1, 2, 4}, {4, 5, 6}}}};
   const Recording recording = parse_recording(recording_text({path, std::nullopt}), "mine.json");
   EXPECT_FALSE(recording.sun);
   ASSERT_TRUE(recording.camera);
@@ -30,7 +31,8 @@ TEST(PathFile, suns_read_the_same_alone_and_beside_a_camera) {
                           {0.25, {glm::normalize(vec3(0.3f, -0.59f, 0.21f)), {1, 0.5f, 0}, 1e-3f}},
                           {9.0, {{0, -1, 0}, {0, 0, 0}, 0.0f}}}};
   for (const bool beside : {false, true}) {
-    const Recording recording = parse_recording(recording_text({beside ? std::optional(walk) : std::nullopt, path}), "mine.json");
+    const Recording recording =
+        parse_recording(recording_text({beside ? std::optional(walk) : std::nullopt, path}), "mine.json");
     EXPECT_EQ(recording.camera.has_value(), beside);
     ASSERT_TRUE(recording.sun);
     EXPECT_EQ(recording.sun->name, beside ? "walk" : "evening");
@@ -78,9 +80,12 @@ TEST(PathFile, errors_name_file_and_key) {
   expect_says(sun(good, R"("azimuth": 10, "elevation": 91, )").c_str(), "sun[1]: 'elevation' is 91; valid: -90 to 90");
   expect_says(sun(good, R"("azimuth": "north", "elevation": 9, )").c_str(), "'azimuth'");
   expect_says(sun(good, R"("azimuth": 190, "elevation": -20, )").c_str(), "sun[1]: opposite");
-  expect_says(R"({"name": "a", "sun": [{"time": 0, "azimuth": 1, "elevation": 1, "colour": [1, -1, 1], "intensity": 1}, {}]})", "'colour'");
-  expect_says(R"({"name": "a", "sun": [{"time": 0, "azimuth": 1, "elevation": 1, "colour": [1, 1, 1], "intensity": -1}, {}]})", "'intensity'");
-  expect_says(R"({"name": "a", "sun": [{"time": 2, "azimuth": 1, "elevation": 1, "colour": [1, 1, 1], "intensity": 1}, {}]})", "'time'");
+  expect_says(R"({"name": "a", "sun": [{"time": 0, "azimuth": 1, "elevation": 1, "colour": [1, -1, 1], "intensity": 1}, {}]})",
+              "'colour'");
+  expect_says(R"({"name": "a", "sun": [{"time": 0, "azimuth": 1, "elevation": 1, "colour": [1, 1, 1], "intensity": -1}, {}]})",
+              "'intensity'");
+  expect_says(R"({"name": "a", "sun": [{"time": 2, "azimuth": 1, "elevation": 1, "colour": [1, 1, 1], "intensity": 1}, {}]})",
+              "'time'");
 }
 
 }  // namespace

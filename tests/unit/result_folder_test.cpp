@@ -18,7 +18,10 @@ using nlohmann::json;
 constexpr const char* k_keys[] = {"technique", "settings"};
 
 json line(const std::string& technique, int size = 1) {
-  return {{"technique", technique}, {"settings", {{"size", size}, {"third", 1.0f / 3.0f}}}, {"status", "ok"}, {"images", {{"mask", "images/" + technique + ".png"}}}};
+  return {{"technique", technique},
+          {"settings", {{"size", size}, {"third", 1.0f / 3.0f}}},
+          {"status", "ok"},
+          {"images", {{"mask", "images/" + technique + ".png"}}}};
 }
 
 std::set<std::string> files(const fs::path& folder) {
@@ -96,13 +99,17 @@ TEST_F(ResultFolders, AReplacementIsCompletedFromAnyStep) {
     make_folder(out / "images");
     make_folder(from / "images");
     write_file(out / "results.jsonl", line("old").dump() + "\n" + line("both").dump() + "\n");
-    for (const char* name : {"images/old.png", "images/both.png", "report.html"}) write_file(out / name, std::string_view("old"));
+    for (const char* name : {"images/old.png", "images/both.png", "report.html"})
+      write_file(out / name, std::string_view("old"));
     write_file(from / "results.jsonl", line("new_a").dump() + "\n" + line("both").dump() + "\n");
-    for (const char* name : {"images/new_a.png", "images/both.png", "report.html"}) write_file(from / name, std::string_view("new"));
+    for (const char* name : {"images/new_a.png", "images/both.png", "report.html"})
+      write_file(from / name, std::string_view("new"));
     if (step > 0) fs::remove(out / "report.html"), fs::remove(out / "images/old.png");
     if (step > 1) fs::remove(out / "images/both.png"), fs::remove(out / "results.jsonl");
     if (step > 2) fs::rename(from / "images/both.png", out / "images/both.png");
-    if (step > 3) fs::rename(from / "images/new_a.png", out / "images/new_a.png"), fs::rename(from / "results.jsonl", out / "results.jsonl");
+    if (step > 3)
+      fs::rename(from / "images/new_a.png", out / "images/new_a.png"),
+          fs::rename(from / "results.jsonl", out / "results.jsonl");
     if (step > 4) fs::rename(from / "report.html", out / "report.html");
     settle_results(out);
     EXPECT_EQ(files(out), whole) << step;
@@ -121,7 +128,8 @@ TEST_F(ResultFolders, RemovesNoFileOutsideItsPictures) {
   ResultFolder run(out, false);
   measure(run, line("a"));
   finish(run);
-  EXPECT_EQ(files(out), (std::set<std::string>{"results.jsonl", "report.html", "images/a.png", "images/mine.png", "notes.txt"}));
+  EXPECT_EQ(files(out),
+            (std::set<std::string>{"results.jsonl", "report.html", "images/a.png", "images/mine.png", "notes.txt"}));
 }
 
 }  // namespace

@@ -63,7 +63,8 @@ TEST(ViewerLights, added_ones_have_names_and_techniques) {
 }
 
 TEST(ViewerLights, those_without_a_technique_get_one) {
-  const std::vector<Light> lights = {lamp("sun", LightKind::directional), lamp("lamp", LightKind::point), lamp("spot", LightKind::spot)};
+  const std::vector<Light> lights = {lamp("sun", LightKind::directional), lamp("lamp", LightKind::point),
+                                     lamp("spot", LightKind::spot)};
   ViewState state = one_state();
   state.techniques = {"cascaded/vsm"};
   state.complete_techniques(lights);

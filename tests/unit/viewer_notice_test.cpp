@@ -15,12 +15,14 @@ TEST(Notice, CountsWarningsAndShowsTheFirst) {
   EXPECT_EQ(warnings_notice("a.obj", {}), "");
   const std::vector<std::string> one = {"first"}, five = {"first", "second", "third", "fourth", "fifth"};
   EXPECT_EQ(warnings_notice("a.obj", one), "opening a.obj gave 1 warning:\nfirst");
-  EXPECT_EQ(warnings_notice("a.obj", five), "opening a.obj gave 5 warnings:\nfirst\nsecond\nthird\nand 2 more, in the terminal");
+  EXPECT_EQ(warnings_notice("a.obj", five),
+            "opening a.obj gave 5 warnings:\nfirst\nsecond\nthird\nand 2 more, in the terminal");
 }
 
 TEST(Notice, OfAPictureNamesWhatItHoldsBesideItsCommand) {
   EXPECT_EQ(picture_notice("a.png", {}), "a.png is written");
-  EXPECT_EQ(picture_notice("a.png", {"the error", false}), "a.png is written; it also shows the error, which its command does not draw");
+  EXPECT_EQ(picture_notice("a.png", {"the error", false}),
+            "a.png is written; it also shows the error, which its command does not draw");
   EXPECT_EQ(picture_notice("a.png", {"", true}), "a.png is written, of the first side alone");
   EXPECT_EQ(picture_notice("a.png", {"the error", true}),
             "a.png is written, of the first side alone; it also shows the error, which its command does not draw");

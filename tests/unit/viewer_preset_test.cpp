@@ -65,14 +65,16 @@ void expect_same(const ViewState& a, const ViewState& b, std::span<const std::st
   EXPECT_EQ(a.techniques, b.techniques);
   const Settings first = a.settings(), second = b.settings();
   for (const auto& [id, table] : lab_tables()) EXPECT_EQ(first.block(id).to_json(), second.block(id).to_json()) << id;
-  for (const char* key : {"light.azimuth", "light.elevation", "light.angular_diameter", "light.intensity", "camera.vertical_fov", "camera.near"}) {
+  for (const char* key : {"light.azimuth", "light.elevation", "light.angular_diameter", "light.intensity",
+                          "camera.vertical_fov", "camera.near"}) {
     EXPECT_EQ(first.was_set(key), second.was_set(key)) << key;
   }
   for (const std::string& technique : a.techniques) {
     const TechniqueSpec& spec = find_technique(technique);
     for (const std::string& light : light_names) {
       const SettingsMap in_first = first.for_technique(spec, light), in_second = second.for_technique(spec, light);
-      for (const auto& [id, block] : in_first) EXPECT_EQ(block.to_json(), in_second.at(id).to_json()) << technique << " " << light << " " << id;
+      for (const auto& [id, block] : in_first)
+        EXPECT_EQ(block.to_json(), in_second.at(id).to_json()) << technique << " " << light << " " << id;
     }
   }
 }
@@ -84,8 +86,9 @@ ViewState edited_state() {
   state.techniques = {"cascaded/pcf", "cube/vsm", "ray_traced"};  // two serve suns: the first is meant
   state.base.assign("pcf.size=5");
   state.base.assign("scene.seed=3");
-  state.edits = {{"camera.vertical_fov", "47.123"}, {"camera.near", "0.05"}, {"frame.ambient", "0.1"}, {"cascaded.lambda", "0.33333334"},
-                 {"pcf.size", "7"}, {"Light.001@bias.constant", "1.5"}, {"sun@cascaded.count", "3"}, {"single.size", "333"}};
+  state.edits = {{"camera.vertical_fov", "47.123"}, {"camera.near", "0.05"}, {"frame.ambient", "0.1"},
+                 {"cascaded.lambda", "0.33333334"}, {"pcf.size", "7"},       {"Light.001@bias.constant", "1.5"},
+                 {"sun@cascaded.count", "3"},       {"single.size", "333"}};
   Light sun = usual_light(LightKind::directional, vec3(0), 10.0f).light;
   ListedLight lamp = usual_light(LightKind::point, vec3(1, 2, 3), 10.0f);
   lamp.light.name = "Light.001";
@@ -127,7 +130,8 @@ TEST(ViewerPreset, what_the_scene_decides_stays_its_decision) {
 TEST(ViewerPreset, of_another_scene_leaves_camera_and_lights) {
   const ViewState state = edited_state();
   const Preset preset = parse_preset(R"({"scene": "terrain", "camera": "default", "lights": ["sun"], "technique": "single/pcf",
-    "set": {"pcf.size": 9, "light.azimuth": 12, "camera.near": 1, "scene.seed": 9}})", "other.json");
+    "set": {"pcf.size": 9, "light.azimuth": 12, "camera.near": 1, "scene.seed": 9}})",
+                                     "other.json");
   const ViewState next = with_preset(state, preset, false);
   EXPECT_TRUE(for_other_scene(state, preset));
   EXPECT_EQ(next.view.scene, "courtyard");
@@ -136,7 +140,8 @@ TEST(ViewerPreset, of_another_scene_leaves_camera_and_lights) {
   EXPECT_EQ(next.settings().block("camera").text("near"), "0.05");
   EXPECT_FALSE(next.settings().was_set("light.azimuth"));
   // Its settings of single lights are of lights that are not there, whatever their names hold.
-  const Preset with_lamp = parse_preset(R"({"scene": "terrain", "technique": "single/pcf", "set": {"Lamp.7@pcf.size": 9}})", "lamp.json");
+  const Preset with_lamp =
+      parse_preset(R"({"scene": "terrain", "technique": "single/pcf", "set": {"Lamp.7@pcf.size": 9}})", "lamp.json");
   EXPECT_TRUE(with_preset(state, with_lamp, false).settings().lights_named().empty());
   EXPECT_EQ(next.settings().scene_options().at("seed"), 3.0);
   EXPECT_THROW(with_preset(state, parse_preset(R"({"techniques": ["all"]})", "x"), false), Error);

@@ -112,7 +112,8 @@ TEST(StartSettings, are_without_what_the_panels_changed) {
 }
 
 TEST(ViewState, goes_to_another_scene_without_what_is_of_the_old_one) {
-  ViewState state = state_of("courtyard", "single/pcf", {{"pcf.size", "5"}, {"sun@pcf.size", "7"}, {"light.elevation", "30"}, {"camera.near", "1"}});
+  ViewState state = state_of("courtyard", "single/pcf",
+                             {{"pcf.size", "5"}, {"sun@pcf.size", "7"}, {"light.elevation", "30"}, {"camera.near", "1"}});
   state.base.assign("single.size=512");
   state.base.assign("scene.gap=2");
   state.view.camera = "0,0,0:1,0,0";

@@ -24,25 +24,29 @@ struct Arguments {
 
 bool is_measured(const nlohmann::json& line) { return line["status"] == "ok"; }
 
-// A gate for continuous integration: exit code 4 when a technique's mae is above the threshold, 3 when there is nothing to hold against
-// it. A technique that the user named must be measured under every light; of "all", those that cannot run here do not count.
+// A gate for continuous integration: exit code 4 when a technique's mae is above the threshold, 3 when there is nothing to hold
+// against it. A technique that the user named must be measured under every light; of "all", those that cannot run here do not
+// count.
 void check_threshold(const std::vector<nlohmann::json>& lines, const Arguments& arguments) {
   std::vector<std::string> exceeding, missing;
   bool measured = false;
   for (const auto& line : lines) {
     const auto name = line["technique"].get<std::string>();
     if (line["status"] != "ok") {
-      const bool named = std::find(arguments.techniques.begin(), arguments.techniques.end(), name) != arguments.techniques.end();
+      const bool named =
+          std::find(arguments.techniques.begin(), arguments.techniques.end(), name) != arguments.techniques.end();
       if (named) missing.push_back(fmt::format("{} ({})", name, line["reason"].get<std::string>()));
       continue;
     }
     measured = true;
     const auto& mae = line["visibility"]["hard"]["mae"];
-    if (!mae.is_number() || !(mae.get<double>() <= arguments.max_error)) exceeding.push_back(fmt::format("{} (mae {})", name, mae.dump()));
+    if (!mae.is_number() || !(mae.get<double>() <= arguments.max_error))
+      exceeding.push_back(fmt::format("{} (mae {})", name, mae.dump()));
   }
   if (!exceeding.empty()) {
     const std::string also = missing.empty() ? "" : fmt::format("; not measured: {}", fmt::join(missing, ", "));
-    throw Error(fmt::format("above --max-error {}: {}{}", arguments.max_error, fmt::join(exceeding, ", "), also), ExitCode::threshold);
+    throw Error(fmt::format("above --max-error {}: {}{}", arguments.max_error, fmt::join(exceeding, ", "), also),
+                ExitCode::threshold);
   }
   if (!missing.empty()) fail_device("--max-error: not measured: {}", fmt::join(missing, ", "));
   if (!measured) fail_device("--max-error: no technique could be measured");
@@ -76,11 +80,20 @@ void add_compare(CLI::App& app, const Globals& globals) {
   auto* command = app.add_subcommand("compare", "techniques side by side: cost, error against rays, pictures, report");
   const auto arguments = std::make_shared<Arguments>();
   arguments->view.add_to(*command);
-  command->add_option("--techniques", arguments->techniques, "names separated by commas, or all")->delimiter(',')->capture_default_str();
-  command->add_option("-o,--output", arguments->output, "folder for results.jsonl, images and report.html; a finished run replaces the former one")->required();
-  command->add_option("--max-error", arguments->max_error, "exit with 4 when the mae (hard) of a technique is above this, with 3 when a named technique cannot be measured")
+  command->add_option("--techniques", arguments->techniques, "names separated by commas, or all")
+      ->delimiter(',')
+      ->capture_default_str();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "folder for results.jsonl, images and report.html; a finished run replaces the former one")
+      ->required();
+  command
+      ->add_option(
+          "--max-error", arguments->max_error,
+          "exit with 4 when the mae (hard) of a technique is above this, with 3 when a named technique cannot be measured")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_flag("--resume", arguments->resume, "continue an unfinished run in the output folder: results that are still true are kept");
+  command->add_flag("--resume", arguments->resume,
+                    "continue an unfinished run in the output folder: results that are still true are kept");
   command->callback([arguments, command, &globals] {
     CompareOptions options;
     options.view = arguments->view.view();
@@ -105,7 +118,8 @@ void add_compare(CLI::App& app, const Globals& globals) {
     folder->publish();
     log_info("report: {}", std::filesystem::absolute(options.output / "report.html").string());
     if (arguments->max_error >= 0.0) check_threshold(lines, *arguments);
-    if (std::none_of(lines.begin(), lines.end(), is_measured)) fail_device("no technique could be measured; the table says why");
+    if (std::none_of(lines.begin(), lines.end(), is_measured))
+      fail_device("no technique could be measured; the table says why");
   });
 }
 

@@ -1,6 +1,6 @@
 // gnomon describe: a technique's manual page and parameter tables.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -29,7 +29,8 @@ void print_table(const std::string& id, ParamTable table) {
   const ParamBlock defaults(table);
   for (const ParamInfo& info : table) {
     std::cout << fmt::format("  {:<28} {:<10} {}\n", fmt::format("{}.{}", id, info.name), defaults.text(info.name), info.help);
-    std::cout << fmt::format("  {:<28} {:<10} {}{}\n", "", "", info.valid_text(), info.update == ParamUpdate::rebuild ? "; rebuilds" : "");
+    std::cout << fmt::format("  {:<28} {:<10} {}{}\n", "", "", info.valid_text(),
+                             info.update == ParamUpdate::rebuild ? "; rebuilds" : "");
   }
 }
 
@@ -47,7 +48,9 @@ void describe(const std::string& name, bool json) {
     std::cout << object.dump(2) << "\n";
     return;
   }
-  std::cout << spec.name << "\n\n" << spec.manual << "\n\nLights: " << fmt::format("{}", fmt::join(lights, ", ")) << "\n\nParameters (--set id.key=value):\n";
+  std::cout << spec.name << "\n\n"
+            << spec.manual << "\n\nLights: " << fmt::format("{}", fmt::join(lights, ", "))
+            << "\n\nParameters (--set id.key=value):\n";
   for (const auto& [id, table] : spec.tables) print_table(id, table);
   std::cout << "\nOf every run:\n";
   for (const auto& [id, table] : lab_tables()) print_table(id, table);
@@ -71,7 +74,8 @@ struct Arguments {
 void add_describe(CLI::App& app, const Globals&) {
   auto* command = app.add_subcommand("describe", "a technique's manual page and parameter table");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("technique", arguments->technique, "projection/filter or a direct technique (gnomon list), or a preset")->required();
+  command->add_option("technique", arguments->technique, "projection/filter or a direct technique (gnomon list), or a preset")
+      ->required();
   command->add_flag("--json", arguments->json, "as JSON");
   command->callback([arguments] {
     if (!describe_preset(arguments->technique)) describe(arguments->technique, arguments->json);

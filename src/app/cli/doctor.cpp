@@ -1,6 +1,6 @@
 // gnomon doctor: the device, its features, and what falls back to what.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "app/cli/command.h"
@@ -24,10 +24,12 @@ void print_device(const DeviceInfo& info) {
                       ? "wall clock, each pass submitted alone (a software device's timestamps lie)"
                       : fmt::format("GPU timestamps of {:.3g} ns", info.timestamp_ms * 1e6));
   print("ray-tracing pipeline", either(info.ray_tracing, "yes: technique ray_traced", "no: ray_traced is unavailable"));
-  print("reference", either(info.ray_tracing && !info.software, "the GPU's ray-tracing pipeline (reference.kind=embree for the CPU)",
-                            info.ray_tracing ? "Embree on the CPU (the pipeline of a software device is slow: reference.kind=pipeline)"
-                                             : "Embree on the CPU"));
-  print("depth clamp", either(info.depth_clamp, "yes", "no: casters before the near plane are lost; the fit keeps them behind it"));
+  print("reference",
+        either(info.ray_tracing && !info.software, "the GPU's ray-tracing pipeline (reference.kind=embree for the CPU)",
+               info.ray_tracing ? "Embree on the CPU (the pipeline of a software device is slow: reference.kind=pipeline)"
+                                : "Embree on the CPU"));
+  print("depth clamp",
+        either(info.depth_clamp, "yes", "no: casters before the near plane are lost; the fit keeps them behind it"));
   print("anisotropy", info.anisotropy ? fmt::format("up to {:.0f}", info.max_anisotropy) : "no: trilinear");
   print("pipeline statistics", either(info.pipeline_statistics, "yes", "no: triangles are counted on the CPU"));
   print("layer from vertex", either(info.vertex_layer, "yes", "no"));
@@ -44,8 +46,8 @@ void print_layering(Device& device) {
     times.push_back(time.missing.empty() ? fmt::format("{} {:.2f} ms", layering_path_name(time.path), time.ms)
                                          : fmt::format("{} lacks {}", layering_path_name(time.path), time.missing));
   }
-  print("layers of a map", fmt::format("{} (four cascades of the courtyard: {})", layering_path_name(fastest_layering_path(device.info())),
-                                       fmt::join(times, ", ")));
+  print("layers of a map", fmt::format("{} (four cascades of the courtyard: {})",
+                                       layering_path_name(fastest_layering_path(device.info())), fmt::join(times, ", ")));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // gnomon list: what there is.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -25,8 +25,8 @@ Rows scene_rows() {
   for (const auto& scene : builtin_scenes()) {
     std::string options;
     for (const auto& option : scene.options) {
-      options += fmt::format("{}scene.{} ({}, {} to {}): {}", options.empty() ? " Options: " : "; ", option.name, option.default_value,
-                             option.min, option.max, option.help);
+      options += fmt::format("{}scene.{} ({}, {} to {}): {}", options.empty() ? " Options: " : "; ", option.name,
+                             option.default_value, option.min, option.max, option.help);
     }
     rows.emplace_back(scene.name, scene.summary + options);
   }
@@ -35,13 +35,15 @@ Rows scene_rows() {
 
 Rows preset_rows() {
   Rows rows;
-  for (const auto& preset : builtin_presets()) rows.emplace_back(preset.name, fmt::format("{} ({})", preset.description, preset.source));
+  for (const auto& preset : builtin_presets())
+    rows.emplace_back(preset.name, fmt::format("{} ({})", preset.description, preset.source));
   return rows;
 }
 
 Rows suite_rows() {
   Rows rows;
-  for (const auto& suite : builtin_suites()) rows.emplace_back(suite.name, fmt::format("{} ({})", suite.description, suite.source));
+  for (const auto& suite : builtin_suites())
+    rows.emplace_back(suite.name, fmt::format("{} ({})", suite.description, suite.source));
   return rows;
 }
 
@@ -61,8 +63,10 @@ Rows device_rows() {
   Rows rows;
   const auto infos = list_devices();
   for (size_t i = 0; i < infos.size(); ++i) {
-    const std::string lacks = infos[i].missing.empty() ? "" : fmt::format(", unusable: lacks {}", fmt::join(infos[i].missing, ", "));
-    rows.emplace_back(std::to_string(i), fmt::format("{} ({}, {} {}{})", infos[i].name, infos[i].type, infos[i].driver, infos[i].driver_version, lacks));
+    const std::string lacks =
+        infos[i].missing.empty() ? "" : fmt::format(", unusable: lacks {}", fmt::join(infos[i].missing, ", "));
+    rows.emplace_back(std::to_string(i), fmt::format("{} ({}, {} {}{})", infos[i].name, infos[i].type, infos[i].driver,
+                                                     infos[i].driver_version, lacks));
   }
   return rows;
 }

@@ -11,13 +11,15 @@
 
 int main(int argc, char** argv) {
   using namespace gnomon;
-  CLI::App app("A laboratory for real-time shadows: what each technique costs on the GPU, and how wrong it is against rays.", "gnomon");
+  CLI::App app("A laboratory for real-time shadows: what each technique costs on the GPU, and how wrong it is against rays.",
+               "gnomon");
   app.set_version_flag("--version", fmt::format("gnomon {} ({}, {})", version(), commit(), build_type()));
   app.require_subcommand(1);
   cli::Globals globals;
   bool verbose = false;
   app.add_option("--device", globals.device.choice, "part of a Vulkan device's name, or its number in 'gnomon list devices'");
-  app.add_flag("--validate", globals.device.validate, "Vulkan validation and synchronization validation; any message is an error");
+  app.add_flag("--validate", globals.device.validate,
+               "Vulkan validation and synchronization validation; any message is an error");
   app.add_flag("--verbose", verbose, "more lines on stderr")->each([](const std::string&) { set_log_level(LogLevel::debug); });
   app.fallthrough();
   cli::add_list(app, globals);

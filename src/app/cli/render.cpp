@@ -38,7 +38,10 @@ void add_render(CLI::App& app, const Globals& globals) {
   auto* command = app.add_subcommand("render", "one picture of a scene with one technique, or a sequence");
   const auto arguments = std::make_shared<Arguments>();
   arguments->view.add_to(*command);
-  command->add_option("--technique", arguments->techniques, "projection/filter or a direct technique; several, separated by commas: each light takes the first for its kind")
+  command
+      ->add_option(
+          "--technique", arguments->techniques,
+          "projection/filter or a direct technique; several, separated by commas: each light takes the first for its kind")
       ->delimiter(',')
       ->capture_default_str();
   command->add_option("-o,--output", arguments->output, "picture to write: .png, or .exr for scene-linear values")->required();
@@ -46,11 +49,17 @@ void add_render(CLI::App& app, const Globals& globals) {
       {"shaded", Picture::shaded}, {"mask", Picture::mask}, {"error", Picture::error}, {"reference", Picture::reference}};
   command->add_option("--show", arguments->picture, "shaded, mask, error (signed, against the reference), reference")
       ->transform(CLI::CheckedTransformer(names));
-  command->add_option("--frames", arguments->frames, "a sequence of so many pictures along the paths: NAME_0000.png, NAME_0001.png, ...")
+  command
+      ->add_option("--frames", arguments->frames,
+                   "a sequence of so many pictures along the paths: NAME_0000.png, NAME_0001.png, ...")
       ->check(CLI::Range(1u, 100000u));
-  command->add_option("--path", arguments->path, "name of a camera path of the scene: walk, turn, fly; or a .json file, as the viewer records it (default: walk, unless the sun moves)");
-  command->add_option("--sun-path", arguments->sun_path, "name of a sun path of the scene: day; or a .json file, as the viewer records it");
-  command->add_option("--seconds", arguments->seconds, "only the first seconds of each path, for slow motion (default: all of it)")
+  command->add_option("--path", arguments->path,
+                      "name of a camera path of the scene: walk, turn, fly; or a .json file, as the viewer records it "
+                      "(default: walk, unless the sun moves)");
+  command->add_option("--sun-path", arguments->sun_path,
+                      "name of a sun path of the scene: day; or a .json file, as the viewer records it");
+  command
+      ->add_option("--seconds", arguments->seconds, "only the first seconds of each path, for slow motion (default: all of it)")
       ->check(CLI::Range(1e-3, 1e6));
   command->callback([arguments, command, &globals] {
     RenderOptions options;
@@ -59,7 +68,8 @@ void add_render(CLI::App& app, const Globals& globals) {
     if (command->get_option("--technique")->count() == 0) options.techniques.emplace_back("cube/pcf");  // for point lights
     const Preset preset = arguments->view.preset();
     if (command->get_option("--technique")->count() == 0 && !preset.techniques.empty()) {
-      if (!preset.together && compete(preset.techniques)) fail_usage("preset {}: has {} techniques; choose with --technique", preset.name, preset.techniques.size());
+      if (!preset.together && compete(preset.techniques))
+        fail_usage("preset {}: has {} techniques; choose with --technique", preset.name, preset.techniques.size());
       options.techniques = preset.techniques;
     }
     options.picture = arguments->picture;

@@ -21,9 +21,11 @@ void look_for_unfinished(const std::filesystem::path& folder) {
   settle_results(folder);
   const auto run = unfinished_run(folder);
   if (!run) return;
-  const std::string state = fmt::format("an unfinished run lies in {} ({} result{})", run->folder.string(), run->lines, run->lines == 1 ? "" : "s");
+  const std::string state =
+      fmt::format("an unfinished run lies in {} ({} result{})", run->folder.string(), run->lines, run->lines == 1 ? "" : "s");
   const std::string advice = "its command with --resume finishes it, 'gnomon report' of that folder shows it as it is";
-  if (!std::filesystem::exists(folder / "results.jsonl")) fail("{}: holds no finished result: {}; {}", folder.string(), state, advice);
+  if (!std::filesystem::exists(folder / "results.jsonl"))
+    fail("{}: holds no finished result: {}; {}", folder.string(), state, advice);
   log_warning("{}: the report is of the last finished run; {}; {}", folder.string(), state, advice);
 }
 
@@ -37,7 +39,8 @@ void add_report(CLI::App& app, const Globals&) {
   command->add_option("--csv", arguments->csv, "also write the results as CSV");
   command->callback([arguments] {
     const std::vector<std::filesystem::path> folders(arguments->folders.begin(), arguments->folders.end());
-    const std::filesystem::path page = arguments->output.empty() ? folders.front() / "report.html" : std::filesystem::path(arguments->output);
+    const std::filesystem::path page =
+        arguments->output.empty() ? folders.front() / "report.html" : std::filesystem::path(arguments->output);
     for (const auto& folder : folders) look_for_unfinished(folder);
     write_report(folders, page);
     log_info("report: {}", std::filesystem::absolute(page).string());

@@ -31,7 +31,9 @@ std::string member_names(std::string members) {
 }
 
 // "0.500000" -> "0.5"
-std::string short_number(const std::string& text) { return text.find('.') == text.npos ? text : fmt::format("{:g}", std::stod(text)); }
+std::string short_number(const std::string& text) {
+  return text.find('.') == text.npos ? text : fmt::format("{:g}", std::stod(text));
+}
 
 // "UINT in [1 - 8]" -> what a person would call it
 std::string kind_name(const CLI::App& app, const CLI::App* command, const std::string& option) {
@@ -46,10 +48,12 @@ std::string kind_name(const CLI::App& app, const CLI::App* command, const std::s
 
 std::string unexpected(const CLI::App& app, const CLI::App* command, const std::string& argument) {
   if (argument.starts_with("-") && argument != "-") {
-    return fmt::format("unknown option '{}'; valid: {}", argument.substr(0, argument.find('=')), option_names(command ? *command : app));
+    return fmt::format("unknown option '{}'; valid: {}", argument.substr(0, argument.find('=')),
+                       option_names(command ? *command : app));
   }
   if (!command) return fmt::format("unknown subcommand '{}'; valid: {}", argument, subcommand_names(app));
-  return fmt::format("{}: '{}' is one argument too many; see 'gnomon {} --help'", command->get_name(), argument, command->get_name());
+  return fmt::format("{}: '{}' is one argument too many; see 'gnomon {} --help'", command->get_name(), argument,
+                     command->get_name());
 }
 
 }  // namespace
@@ -63,7 +67,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const auto is = [&](CLI::ExitCodes code) { return error.get_exit_code() == static_cast<int>(code); };
   if (is(CLI::ExitCodes::ExtrasError) && !rest.empty()) return unexpected(app, command, rest.front());
   if (is(CLI::ExitCodes::RequiredError) && !command) {
-    return rest.empty() ? fmt::format("a subcommand is missing; valid: {}", subcommand_names(app)) : unexpected(app, command, rest.front());
+    return rest.empty() ? fmt::format("a subcommand is missing; valid: {}", subcommand_names(app))
+                        : unexpected(app, command, rest.front());
   }
   if (is(CLI::ExitCodes::RequiredError)) {
     // A wrong option is more likely the mistake than the one that it was taken for.
@@ -76,12 +81,14 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
     return fmt::format("{} {}: valid: {}", part.str(1), part.str(2), member_names(part.str(3)));
   }
   if (std::regex_match(what, part, std::regex(R"((\S+): Value (.*) not in range (\S+) to (\S+))"))) {
-    return fmt::format("{} {}: valid: {} to {}", part.str(1), part.str(2), short_number(part.str(3)), short_number(part.str(4)));
+    return fmt::format("{} {}: valid: {} to {}", part.str(1), part.str(2), short_number(part.str(3)),
+                       short_number(part.str(4)));
   }
   if (std::regex_match(what, part, std::regex(R"(Could not convert: (\S+) = (.*))"))) {
     return fmt::format("{} {}: valid: {}", part.str(1), part.str(2), kind_name(app, command, part.str(1)));
   }
-  if (std::regex_match(what, part, std::regex(R"((\S+): \d+ required \S+ missing)"))) return fmt::format("{}: its value is missing", part.str(1));
+  if (std::regex_match(what, part, std::regex(R"((\S+): \d+ required \S+ missing)")))
+    return fmt::format("{}: its value is missing", part.str(1));
   return what;
 }
 

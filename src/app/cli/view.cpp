@@ -13,7 +13,7 @@ namespace {
 struct Arguments {
   ViewArguments view;
   std::vector<std::string> techniques = {"single/pcf", "cube/pcf"};  // the second for point lights
-  float scale = 0.0f, frame_ms = 40.0f;  // scale 0: follows the time of a frame
+  float scale = 0.0f, frame_ms = 40.0f;                              // scale 0: follows the time of a frame
   uint32_t frames = 0;
   std::string screenshot, split;
   bool error = false, no_panels = false;
@@ -53,7 +53,8 @@ void view(const Arguments& arguments, bool technique_given, const Globals& globa
   wishes.interface = !arguments.no_panels;
   auto opened = viewer::open_first(screen, std::move(state));
   if (opened && workspace.sides.second == viewer::SecondSide::settings) {
-    for (const Light& light : opened->session->frame().lights()) viewer::required_technique(workspace.sides.other.techniques, light);
+    for (const Light& light : opened->session->frame().lights())
+      viewer::required_technique(workspace.sides.other.techniques, light);
   }
   const viewer::ViewerOptions how{arguments.frames, arguments.screenshot};
   while (opened) opened = viewer::Viewer(screen, std::move(*opened), workspace, how).run();
@@ -72,12 +73,15 @@ void add_view(CLI::App& app, const Globals& globals) {
   arguments->view.size = "1280x720";  // of the window: room for a picture between the panels
   arguments->view.add_to(*command);
   command->get_option("scene")->capture_default_str();
-  auto* technique = command->add_option("--technique", arguments->techniques,
-                                        "projection/filter or a direct technique; several, separated by commas: "
-                                        "each light takes the first for its kind")
+  auto* technique = command
+                        ->add_option("--technique", arguments->techniques,
+                                     "projection/filter or a direct technique; several, separated by commas: "
+                                     "each light takes the first for its kind")
                         ->delimiter(',')
                         ->capture_default_str();
-  command->add_option("--scale", arguments->scale, "size of the picture, relative to the window's (default: follows the time of a frame)")
+  command
+      ->add_option("--scale", arguments->scale,
+                   "size of the picture, relative to the window's (default: follows the time of a frame)")
       ->check(CLI::Range(0.1f, 2.0f));
   command->add_option("--frame-ms", arguments->frame_ms, "time of a frame that the size of the picture aims at")
       ->check(CLI::Range(5.0f, 1000.0f))
@@ -87,8 +91,9 @@ void add_view(CLI::App& app, const Globals& globals) {
   command->add_option("--split", arguments->split, "a second side beside the picture: a technique, or 'reference'");
   command->add_flag("--no-panels", arguments->no_panels, "the picture alone (F1 shows the panels)");
   command->add_flag("--error", arguments->error, "error against the reference over the picture");
-  command->add_option("--overlay", arguments->overlay,
-                      "what is shown over the picture: layers, texels, footprint, flags or overdraw; and lines, of the light's views");
+  command->add_option(
+      "--overlay", arguments->overlay,
+      "what is shown over the picture: layers, texels, footprint, flags or overdraw; and lines, of the light's views");
   command->add_option("--pick", arguments->pick, "explains a pixel of the picture: x,y");
   command->add_option("--map", arguments->map, "shows a layer of the shadow map: its number");
   command->add_option("--screenshot", arguments->screenshot, "writes the last frame, interface included: .png");

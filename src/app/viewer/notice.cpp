@@ -41,7 +41,8 @@ std::string warnings_notice(const std::string& scene, std::span<const std::strin
   if (warnings.empty()) return {};
   std::string text = fmt::format("opening {} gave {} warning{}:", scene, warnings.size(), warnings.size() == 1 ? "" : "s");
   for (size_t i = 0; i < warnings.size() && i < k_shown_warnings; ++i) text += "\n" + warnings[i];
-  if (warnings.size() > k_shown_warnings) text += fmt::format("\nand {} more, in the terminal", warnings.size() - k_shown_warnings);
+  if (warnings.size() > k_shown_warnings)
+    text += fmt::format("\nand {} more, in the terminal", warnings.size() - k_shown_warnings);
   return text;
 }
 
@@ -55,7 +56,8 @@ std::string drop_notice(std::span<const std::string> paths) {
 
 std::string picture_notice(const std::string& path, const PictureContent& content) {
   std::string text = fmt::format("{} is written{}", path, content.first_side_alone ? ", of the first side alone" : "");
-  if (!content.drawn_over.empty()) text += fmt::format("; it also shows {}, which its command does not draw", content.drawn_over);
+  if (!content.drawn_over.empty())
+    text += fmt::format("; it also shows {}, which its command does not draw", content.drawn_over);
   return text;
 }
 

@@ -12,7 +12,8 @@ class ShaderReload {
  public:
   ShaderReload();
 
-  // Between frames. `rebuild` makes all pipelines again; where it throws Error with new shaders, it is called once more with the old.
+  // Between frames. `rebuild` makes all pipelines again; where it throws Error with new shaders, it is called once more with
+  // the old.
   void update(const std::function<void()>& rebuild);
   // Why the last change took no effect, until the files are mended.
   std::string& message() { return message_; }

@@ -1,5 +1,5 @@
-// What the viewer shows, as a JSON file that is replaced after each frame: window tests and the script that makes the manual's pictures
-// wait for it and click by it. Off unless the environment variable GNOMON_VIEW_STATUS names the file.
+// What the viewer shows, as a JSON file that is replaced after each frame: window tests and the script that makes the manual's
+// pictures wait for it and click by it. Off unless the environment variable GNOMON_VIEW_STATUS names the file.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@ struct ViewStatus {
   std::string camera;               // as --camera reads it
   std::string message;              // on screen; empty: none
   bool vsync = true;
-  bool loading = false;             // a scene is being read; the former is still shown
-  bool full_maps = true;            // the picture's maps are those in force (Pace)
+  bool loading = false;   // a scene is being read; the former is still shown
+  bool full_maps = true;  // the picture's maps are those in force (Pace)
 };
 
 class StatusFile {
@@ -41,8 +41,8 @@ class StatusFile {
   uint64_t frame_ = 0;
 };
 
-// Behind a widget: its rectangle goes to the status file, if there is one and if the widget's middle can be clicked. `part` names one of
-// several that belong together: "single.fit:scene".
+// Behind a widget: its rectangle goes to the status file, if there is one and if the widget's middle can be clicked. `part`
+// names one of several that belong together: "single.fit:scene".
 void note_widget(std::string_view name, std::string_view part = {});
 // Between ImGui's Begin and End: the whole window's rectangle.
 void note_window(std::string_view name);

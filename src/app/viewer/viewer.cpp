@@ -221,7 +221,8 @@ PictureContent Viewer::picture_content() const {
   PictureContent content;
   content.drawn_over = explain_.overlay_drawn();
   // The error keeps the brightness of what it lies on, and none of its colours.
-  if (sides_.shows_error()) content.drawn_over = "the error" + (content.drawn_over.empty() ? "" : ", and in grey below it " + content.drawn_over);
+  if (sides_.shows_error())
+    content.drawn_over = "the error" + (content.drawn_over.empty() ? "" : ", and in grey below it " + content.drawn_over);
   content.first_side_alone = sides_.divider() < 1.0f;
   return content;
 }
@@ -243,10 +244,11 @@ void Viewer::record() {
   // The time of another frame is not that of its techniques.
   if (draws && !draws_small_maps()) timings_.add(result);
   // Of a picture that was given up there is nothing to tell.
-  if (draws || pace_.stays()) attempt(message_, [&] {
-    explain_.collect(*session_, techniques_, 0);
-    explain_.judge(*session_);
-  });
+  if (draws || pace_.stays())
+    attempt(message_, [&] {
+      explain_.collect(*session_, techniques_, 0);
+      explain_.judge(*session_);
+    });
 }
 
 void Viewer::record_picture(Recorder& recorder) {
@@ -299,7 +301,8 @@ void Viewer::choose_draws() {
   // Before the size is found nothing stays: it is found by drawing.
   // It is found where a reference holds it, or where there is no memory for another one.
   const bool settled = pace_.slow() || render_scale_.settled() || sides_.has_reference() || refused_size_;
-  stays_finer_ = wishes_.adapt_size && !in_each_frame && (!settled || pace_.slow() || render_scale_.scale() < RenderScale::k_most);
+  stays_finer_ =
+      wishes_.adapt_size && !in_each_frame && (!settled || pace_.slow() || render_scale_.scale() < RenderScale::k_most);
   asked.may_stay = stays_finer_ && settled;
   pace_.next(asked, last_frame_);
 }
@@ -314,7 +317,8 @@ void Viewer::follow_pace(float work_ms, bool size_is_free) {
   const uint32_t divisor = pace_.slow() ? pace_.divisor() : 0;
   if (std::exchange(small_divisor_, divisor) != divisor) {
     small_.clear();
-    if (divisor > 0 && !attempt(message_, [&] { small_.update(*session_, state_.techniques, divisor); })) pace_.refuse(), small_.clear();
+    if (divisor > 0 && !attempt(message_, [&] { small_.update(*session_, state_.techniques, divisor); }))
+      pace_.refuse(), small_.clear();
   }
   // One that is taken home may have another size.
   const bool own_size = session_->options().size == scaled(window_.size(), render_scale_.scale());
@@ -327,8 +331,8 @@ void Viewer::hand_out() {
   if (!draws_small_maps()) outputs_.take(state_, *session_, picture_content(), workspace_.notices);
   if (std::exchange(wishes_.copy_command, false)) glfwSetClipboardString(window_.handle(), command().c_str());
   if (!status_.on()) return;
-  status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), failure(), screen_.swapchain.vsync(),
-                 opening_.has_value(), pace_.shows_full()});
+  status_.write({window_.size(), session_->options().size, command(), camera_.camera().text(), failure(),
+                 screen_.swapchain.vsync(), opening_.has_value(), pace_.shows_full()});
 }
 
 void Viewer::draw_second() {
@@ -368,7 +372,8 @@ std::optional<Settings> Viewer::parsed(const ViewState& state) {
 
 bool Viewer::builds(const ViewState& next, const Settings& settings) const {
   if (next.same_but_camera(state_)) return false;
-  return session_->needs_new_frame(next.view, settings) || techniques_.builds(session_->frame().lights(), next.techniques, settings);
+  return session_->needs_new_frame(next.view, settings) ||
+         techniques_.builds(session_->frame().lights(), next.techniques, settings);
 }
 
 void Viewer::apply(const ViewState& wanted, const Settings& settings) {
@@ -400,7 +405,8 @@ void Viewer::update_techniques(const std::vector<std::string>& names) {
 
 uvec2 Viewer::wanted_size() const {
   if (!wishes_.adapt_size) return scaled(window_.size(), wishes_.scale);
-  // The picture at rest, or one that is saved, is drawn once: it may take longer. So may those of a clip that would have small maps.
+  // The picture at rest, or one that is saved, is drawn once: it may take longer. So may those of a clip that would have small
+  // maps.
   const bool saved = wishes_.screenshot || outputs_.wants_picture() || (pace_.slow() && outputs_.wants_frame());
   const bool stays = saved || pace_.draws_once() || pace_.last() == Pace::Draws::nothing;
   return scaled(window_.size(), stays ? rest_scale() : render_scale_.scale());
@@ -416,7 +422,8 @@ float Viewer::rest_scale() const {
 bool Viewer::follow_size() {
   render_scale_.set_target(wishes_.target_ms);
   // Without adapting, the picture keeps the size that it has.
-  if (wishes_.adapt_size) wishes_.scale = static_cast<float>(session_->options().size.x) / static_cast<float>(std::max(window_.size().x, 1u));
+  if (wishes_.adapt_size)
+    wishes_.scale = static_cast<float>(session_->options().size.x) / static_cast<float>(std::max(window_.size().x, 1u));
   // While a window is dragged to another size the old picture is stretched.
   const uvec2 window = window_.size();
   const auto now = std::chrono::steady_clock::now();
@@ -433,7 +440,8 @@ bool Viewer::follow_size() {
     sized_for_ = window;
     timings_.change();
     if (!state_.view.camera.empty() && state_.view.camera != "frame") return;
-    // A camera that holds the whole scene in the picture stands elsewhere in a picture of another shape, as it does for `render`.
+    // A camera that holds the whole scene in the picture stands elsewhere in a picture of another shape, as it does for
+    // `render`.
     session_->change(state_.view, state_.settings());
     camera_.stand_at(session_->camera());
   });

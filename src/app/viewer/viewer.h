@@ -7,27 +7,28 @@
 #include <optional>
 
 #include "app/viewer/camera/camera_rig.h"
-#include "app/viewer/state/opening.h"
 #include "app/viewer/measure/measure_panel.h"
+#include "app/viewer/panels/scene_panel.h"
+#include "app/viewer/panels/state_panels.h"
+#include "app/viewer/state/opening.h"
+#include "app/viewer/state/workspace.h"
+#include "app/viewer/status_file.h"
 #include "app/viewer/window/pace.h"
 #include "app/viewer/window/render_scale.h"
-#include "app/viewer/panels/scene_panel.h"
 #include "app/viewer/window/screen.h"
-#include "app/viewer/panels/state_panels.h"
-#include "app/viewer/status_file.h"
-#include "app/viewer/state/workspace.h"
 
 namespace gnomon::viewer {
 
 struct ViewerOptions {
-  uint32_t frames = 0;               // ends after so many, of all scenes; 0: when the user closes the window
-  std::filesystem::path screenshot;  // the last frame with the interface: at rest, and with a complete reference where one is wanted
+  uint32_t frames = 0;  // ends after so many, of all scenes; 0: when the user closes the window
+  std::filesystem::path
+      screenshot;  // the last frame with the interface: at rest, and with a complete reference where one is wanted
 };
 
 // A scene that has been opened, and what it is shown with.
 struct Opened {
-  // Kinds of light that the techniques do not serve get usual ones where the scene is `another` one than they were chosen for; else that is
-  // an error. Throws what building says of scene and techniques.
+  // Kinds of light that the techniques do not serve get usual ones where the scene is `another` one than they were chosen for;
+  // else that is an error. Throws what building says of scene and techniques.
   Opened(Opening& opening, Screen& screen, bool another);
 
   std::unique_ptr<Session> session;
@@ -71,8 +72,8 @@ class Viewer {
   void apply(const ViewState& wanted, const Settings& settings);
   void update_techniques(const std::vector<std::string>& names);  // and those with smaller maps where the view is slow
   uvec2 wanted_size() const;
-  std::string command() const;  // `gnomon render ...` of the picture, without its output
-  bool follow_size();  // whether the picture has another size
+  std::string command() const;          // `gnomon render ...` of the picture, without its output
+  bool follow_size();                   // whether the picture has another size
   bool open(const std::string& scene);  // whether it is on its way; else the message says why not
   void follow_drops();
   void rebuild();
@@ -91,8 +92,8 @@ class Viewer {
   TechniqueSet small_;  // the same with smaller maps, where the view is slow
   Pace pace_;
   bool may_shrink_ = false, was_slow_ = false;
-  bool stays_finer_ = false;   // the picture at rest is, or will be, another one than while it moves
-  uint32_t small_divisor_ = 0;  // of small_; 0: there is none
+  bool stays_finer_ = false;        // the picture at rest is, or will be, another one than while it moves
+  uint32_t small_divisor_ = 0;      // of small_; 0: there is none
   std::optional<ViewState> drawn_;  // in the last frame
   std::string drawn_over_key_;      // what lay over it
   SharedReference rays_;
@@ -116,7 +117,7 @@ class Viewer {
   ScenePanel scene_panel_;
   RenderScale render_scale_;
   uvec2 last_window_ = uvec2(0), sized_for_ = uvec2(0);  // windows: of the last frame, of the picture's size
-  std::optional<uvec2> refused_size_;  // there was no memory for it
+  std::optional<uvec2> refused_size_;                    // there was no memory for it
   std::chrono::steady_clock::time_point window_changed_;
   std::chrono::steady_clock::time_point last_frame_;
 };

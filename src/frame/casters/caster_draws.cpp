@@ -10,10 +10,13 @@ namespace {
 
 uint32_t draw_layout(LayeringPath path) {
   switch (path) {
-    case LayeringPath::per_layer: return k_draws_per_layer;
-    case LayeringPath::vertex_layer: return k_draws_layered;
+    case LayeringPath::per_layer:
+      return k_draws_per_layer;
+    case LayeringPath::vertex_layer:
+      return k_draws_layered;
     case LayeringPath::geometry:
-    case LayeringPath::multiview: return k_draws_union;
+    case LayeringPath::multiview:
+      return k_draws_union;
   }
   return k_draws_per_layer;
 }
@@ -40,7 +43,8 @@ CasterDraws::CasterDraws(Device& device, const GpuScene& scene, const std::strin
   if (const std::string missing = layering_path_missing(device.info(), options_.path); !missing.empty()) {
     fail_device("submission.path={}: '{}' lacks {}", layering_path_name(options_.path), device.info().name, missing);
   }
-  const size_t ranges = std::max<size_t>(scene.caster_clusters().range_count, 1), chunks = std::max<size_t>(scene.caster_clusters().chunk_count, 1);
+  const size_t ranges = std::max<size_t>(scene.caster_clusters().range_count, 1),
+               chunks = std::max<size_t>(scene.caster_clusters().chunk_count, 1);
   draws_ = Buffer(device, name + " draws", options_.layers * ranges * sizeof(DrawCommand));
   counts_ = Buffer(device, name + " draw counts", options_.layers * k_bucket_count * sizeof(uint32_t));
   chunk_counts_ = Buffer(device, name + " chunk counts", options_.layers * chunks * sizeof(uint32_t));
@@ -65,19 +69,22 @@ CasterDraws::DrawPipelines CasterDraws::make_pipelines(bool depth_clamp) const {
     const std::string kind = masked || options_.object_ids ? "masked" : "opaque";
     info.vertex = fmt::format("frame/casters/draw/caster_{}_{}.vert", path, kind);
     if (options_.path == LayeringPath::geometry) info.geometry = fmt::format("frame/casters/draw/caster_{}.geom", kind);
-    info.fragment = masked ? (options_.object_ids ? "frame/casters/draw/caster_masked_id.frag" : "frame/casters/draw/caster_masked.frag") : fragment;
+    info.fragment =
+        masked ? (options_.object_ids ? "frame/casters/draw/caster_masked_id.frag" : "frame/casters/draw/caster_masked.frag")
+               : fragment;
     if (options_.paraboloid) {
       info.vertex = "frame/casters/draw/caster_geometry_masked.vert";
       info.geometry = "frame/casters/draw/caster_paraboloid.geom";
-      info.fragment = fmt::format("frame/casters/draw/caster_paraboloid{}{}.frag", masked ? "_masked" : "", options_.object_ids ? "_id" : "");
+      info.fragment = fmt::format("frame/casters/draw/caster_paraboloid{}{}.frag", masked ? "_masked" : "",
+                                  options_.object_ids ? "_id" : "");
     }
     (masked ? pipelines.masked : pipelines.opaque) = make_graphics_pipeline(*device_, info);
   }
   return pipelines;
 }
 
-void CasterDraws::record(Recorder& recorder, const std::string& prefix, const LightViews& views, CasterCulling culling, bool front_face_culling,
-                         const Image& map, const Image* ids) {
+void CasterDraws::record(Recorder& recorder, const std::string& prefix, const LightViews& views, CasterCulling culling,
+                         bool front_face_culling, const Image& map, const Image* ids) {
   GNOMON_ASSERT(views.layers == options_.layers && options_.object_ids == (ids != nullptr));
   record_cull(recorder, prefix, views, culling);
   const CasterList& list = scene_->casters(culling == CasterCulling::clusters);
@@ -93,12 +100,25 @@ void CasterDraws::record(Recorder& recorder, const std::string& prefix, const Li
 void CasterDraws::record_cull(Recorder& recorder, const std::string& prefix, const LightViews& views, CasterCulling culling) {
   const CasterList& list = scene_->casters(culling == CasterCulling::clusters);
   const uint32_t layout = draw_layout(options_.path);
-  const CasterCullArguments arguments = {views.address(),       list.ranges.address(), list.chunks.address(), scene_->items().address(), draws_.address(),
-                                         counts_.address(),     chunk_counts_.address(), views.stride,          views.layers,              list.chunk_count,
-                                         list.range_count,      layout,                  culling != CasterCulling::none};
+  const CasterCullArguments arguments = {views.address(),
+                                         list.ranges.address(),
+                                         list.chunks.address(),
+                                         scene_->items().address(),
+                                         draws_.address(),
+                                         counts_.address(),
+                                         chunk_counts_.address(),
+                                         views.stride,
+                                         views.layers,
+                                         list.chunk_count,
+                                         list.range_count,
+                                         layout,
+                                         culling != CasterCulling::none};
   const uint32_t rows = layout == k_draws_union ? 1 : views.layers;
   recorder.pass(prefix + "/cull", PassStage::build,
-                {{*views.buffer, Use::compute_read}, {draws_, Use::compute_write}, {counts_, Use::compute_write}, {chunk_counts_, Use::compute_write}},
+                {{*views.buffer, Use::compute_read},
+                 {draws_, Use::compute_write},
+                 {counts_, Use::compute_write},
+                 {chunk_counts_, Use::compute_write}},
                 [&](Commands& commands) {
                   if (list.chunk_count == 0) return;
                   for (const Pipeline* pipeline : {&count_, &write_}) {
@@ -110,8 +130,9 @@ void CasterDraws::record_cull(Recorder& recorder, const std::string& prefix, con
                 });
 }
 
-void CasterDraws::record_layers(Recorder& recorder, const std::string& name, const LightViews& views, const CasterList& list, bool front_face_culling,
-                                const Image& map, const Image* ids, uint32_t first_layer, uint32_t layer_count) {
+void CasterDraws::record_layers(Recorder& recorder, const std::string& name, const LightViews& views, const CasterList& list,
+                                bool front_face_culling, const Image& map, const Image* ids, uint32_t first_layer,
+                                uint32_t layer_count) {
   struct Arguments {
     uint64_t views;
     uint32_t stride, layers;
@@ -120,7 +141,10 @@ void CasterDraws::record_layers(Recorder& recorder, const std::string& name, con
   const DrawPipelines& pipelines = options_.depth_clamp && !views.clip_near ? clamped_ : clipped_;
   const bool whole = layer_count > 1;
   const bool per_layer = draw_layout(options_.path) == k_draws_per_layer;
-  std::vector<ResourceUse> uses = {{*views.buffer, Use::graphics_read}, {draws_, Use::indirect_read}, {counts_, Use::indirect_read}, {map, Use::depth_write}};
+  std::vector<ResourceUse> uses = {{*views.buffer, Use::graphics_read},
+                                   {draws_, Use::indirect_read},
+                                   {counts_, Use::indirect_read},
+                                   {map, Use::depth_write}};
   if (ids) uses.emplace_back(*ids, Use::colour_write);
   recorder.pass(name, PassStage::build, uses, [&](Commands& commands) {
     Attachment depth;
@@ -133,7 +157,8 @@ void CasterDraws::record_layers(Recorder& recorder, const std::string& name, con
                              multiview ? (1u << layer_count) - 1u : 0u);
     for (const bool masked : {false, true}) {
       commands.bind(masked ? pipelines.masked : pipelines.opaque);
-      commands.push(Arguments{views.address() + uint64_t{views.stride} * first_layer, views.stride, layer_count, scene_->data()});
+      commands.push(
+          Arguments{views.address() + uint64_t{views.stride} * first_layer, views.stride, layer_count, scene_->data()});
       for (uint32_t bucket = 0; bucket < k_bucket_count; ++bucket) {
         if (((bucket & Bucket::k_masked) != 0) != masked || list.begin[bucket] == list.end[bucket]) continue;
         const VkCullModeFlags front = bucket & Bucket::k_mirrored ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_FRONT_BIT;
@@ -142,7 +167,8 @@ void CasterDraws::record_layers(Recorder& recorder, const std::string& name, con
         const uint32_t shared = options_.path == LayeringPath::vertex_layer ? options_.layers : 1;
         const uint32_t first = per_layer ? first_layer * list.range_count + list.begin[bucket] : list.begin[bucket] * shared;
         const uint32_t count = per_layer ? first_layer * k_bucket_count + bucket : bucket;
-        commands.draw_indirect(scene_->indices(), draws_, first * sizeof(DrawCommand), counts_, count * sizeof(uint32_t), size * shared);
+        commands.draw_indirect(scene_->indices(), draws_, first * sizeof(DrawCommand), counts_, count * sizeof(uint32_t),
+                               size * shared);
       }
     }
     commands.end_rendering();

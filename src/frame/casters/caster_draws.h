@@ -34,10 +34,11 @@ struct CasterDrawOptions {
   LayeringPath path = LayeringPath::per_layer;
   bool depth_clamp = false;  // what lies before a near plane is drawn onto it
   uint32_t layers = 1;
-  uint32_t samples = 1;      // of the depth map
-  bool paraboloid = false;   // every view is one: triangles are intersected texel by texel instead of bent at their vertices (path: geometry)
-  bool object_ids = false;   // also writes the item's object + 1 into a colour attachment, R32_UINT
-  bool item_ids = false;     // with object_ids: the draw item + 1 instead, so that parts of an object differ
+  uint32_t samples = 1;  // of the depth map
+  bool paraboloid =
+      false;  // every view is one: triangles are intersected texel by texel instead of bent at their vertices (path: geometry)
+  bool object_ids = false;  // also writes the item's object + 1 into a colour attachment, R32_UINT
+  bool item_ids = false;    // with object_ids: the draw item + 1 instead, so that parts of an object differ
 };
 
 class CasterDraws {
@@ -47,13 +48,13 @@ class CasterDraws {
 
   // Adds the passes "<prefix>/cull" and "<prefix>/depth" (one for each layer where the path is per_layer). `ids`: null without
   // object_ids. `front_face_culling` draws only faces that are turned away from the light.
-  void record(Recorder& recorder, const std::string& prefix, const LightViews& views, CasterCulling culling, bool front_face_culling,
-              const Image& map, const Image* ids = nullptr);
+  void record(Recorder& recorder, const std::string& prefix, const LightViews& views, CasterCulling culling,
+              bool front_face_culling, const Image& map, const Image* ids = nullptr);
 
  private:
   void record_cull(Recorder& recorder, const std::string& prefix, const LightViews& views, CasterCulling culling);
-  void record_layers(Recorder& recorder, const std::string& name, const LightViews& views, const CasterList& list, bool front_face_culling,
-                     const Image& map, const Image* ids, uint32_t first_layer, uint32_t layer_count);
+  void record_layers(Recorder& recorder, const std::string& name, const LightViews& views, const CasterList& list,
+                     bool front_face_culling, const Image& map, const Image* ids, uint32_t first_layer, uint32_t layer_count);
 
   Device* device_;
   const GpuScene* scene_;

@@ -12,7 +12,8 @@ Box world_bounds(const DrawItem& item, std::span<const vec3> positions, std::spa
   Box box;
   for (const uint32_t index : indices) {
     const vec4 p(positions[item.first_vertex + index], 1.0f);
-    box.add({glm::dot(item.world_from_object_x, p), glm::dot(item.world_from_object_y, p), glm::dot(item.world_from_object_z, p)});
+    box.add(
+        {glm::dot(item.world_from_object_x, p), glm::dot(item.world_from_object_y, p), glm::dot(item.world_from_object_z, p)});
   }
   return box;
 }
@@ -58,8 +59,8 @@ std::vector<Box> make_groups(std::span<const CasterRange> ranges) {
 
 }  // namespace
 
-CasterList make_caster_list(Device& device, std::span<const DrawItem> items, std::span<const vec3> positions, std::span<const uint32_t> indices,
-                            std::span<const uint32_t> bucket_ends, bool clusters) {
+CasterList make_caster_list(Device& device, std::span<const DrawItem> items, std::span<const vec3> positions,
+                            std::span<const uint32_t> indices, std::span<const uint32_t> bucket_ends, bool clusters) {
   CasterList list;
   std::vector<CasterRange> ranges;
   std::vector<CasterChunk> chunks;
@@ -73,7 +74,8 @@ CasterList make_caster_list(Device& device, std::span<const DrawItem> items, std
       for (uint32_t first = 0; first < draw.index_count; first += step) {
         const uint32_t count = std::min(step, draw.index_count - first);
         // The item's own bounds are those of its object's box, which is looser.
-        const Box box = clusters ? world_bounds(draw, positions, indices.subspan(draw.first_index + first, count)) : Box{draw.bounds_min_ws, draw.bounds_max_ws};
+        const Box box = clusters ? world_bounds(draw, positions, indices.subspan(draw.first_index + first, count))
+                                 : Box{draw.bounds_min_ws, draw.bounds_max_ws};
         ranges.push_back({box.min, draw.first_index + first, box.max, count, item});
       }
     }

@@ -17,7 +17,8 @@ struct CasterList {
   std::array<uint32_t, k_bucket_count> begin = {}, end = {};
   uint32_t range_count = 0, chunk_count = 0;
   Buffer ranges, chunks;
-  // Boxes that hold all ranges, at most k_caster_groups: few enough for the CPU to look at in every frame, however large the scene.
+  // Boxes that hold all ranges, at most k_caster_groups: few enough for the CPU to look at in every frame, however large the
+  // scene.
   std::vector<Box> groups;
 };
 inline constexpr size_t k_caster_groups = 64;
@@ -26,7 +27,7 @@ inline constexpr size_t k_caster_groups = 64;
 inline constexpr uint32_t k_cluster_triangles = 128;
 
 // One range per item that casts, or one per cluster of it. `positions` and `indices` are the scene's, on the CPU.
-CasterList make_caster_list(Device& device, std::span<const DrawItem> items, std::span<const vec3> positions, std::span<const uint32_t> indices,
-                            std::span<const uint32_t> bucket_ends, bool clusters);
+CasterList make_caster_list(Device& device, std::span<const DrawItem> items, std::span<const vec3> positions,
+                            std::span<const uint32_t> indices, std::span<const uint32_t> bucket_ends, bool clusters);
 
 }  // namespace gnomon

@@ -41,7 +41,8 @@ std::optional<LayeringPath> measured_layering_path(const DeviceInfo& device) {
   const auto& lines = known_paths();
   const auto found = lines.find(key_of(device));
   if (found == lines.end()) return std::nullopt;
-  for (const auto path : {LayeringPath::per_layer, LayeringPath::vertex_layer, LayeringPath::geometry, LayeringPath::multiview}) {
+  for (const auto path :
+       {LayeringPath::per_layer, LayeringPath::vertex_layer, LayeringPath::geometry, LayeringPath::multiview}) {
     if (layering_path_name(path) == found->second && layering_path_missing(device, path).empty()) return path;
   }
   return std::nullopt;
@@ -61,6 +62,8 @@ void store_layering_path(const DeviceInfo& device, LayeringPath path) {
   }
 }
 
-LayeringPath fastest_layering_path(const DeviceInfo& device) { return measured_layering_path(device).value_or(LayeringPath::per_layer); }
+LayeringPath fastest_layering_path(const DeviceInfo& device) {
+  return measured_layering_path(device).value_or(LayeringPath::per_layer);
+}
 
 }  // namespace gnomon

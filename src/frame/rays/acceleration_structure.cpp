@@ -110,8 +110,9 @@ AccelerationStructure::AccelerationStructure(Device& device, const GpuScene& sce
   build_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-AccelerationStructure::Level AccelerationStructure::build(const VkAccelerationStructureGeometryKHR& geometry, uint32_t primitives,
-                                                          VkAccelerationStructureTypeKHR type, const char* name) {
+AccelerationStructure::Level AccelerationStructure::build(const VkAccelerationStructureGeometryKHR& geometry,
+                                                          uint32_t primitives, VkAccelerationStructureTypeKHR type,
+                                                          const char* name) {
   const auto& functions = device_.ray_tracing();
   VkAccelerationStructureBuildGeometryInfoKHR info = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR};
   info.type = type;
@@ -123,14 +124,15 @@ AccelerationStructure::Level AccelerationStructure::build(const VkAccelerationSt
   functions.build_sizes(device_.handle(), VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR, &info, &primitives, &sizes);
 
   Level level;
-  level.storage = Buffer(device_, std::string("acceleration structure of ") + name, sizes.accelerationStructureSize, BufferMemory::device,
-                         VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR);
+  level.storage = Buffer(device_, std::string("acceleration structure of ") + name, sizes.accelerationStructureSize,
+                         BufferMemory::device, VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR);
   bytes_ += sizes.accelerationStructureSize;
   VkAccelerationStructureCreateInfoKHR create = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR};
   create.buffer = level.storage.handle();
   create.size = sizes.accelerationStructureSize;
   create.type = type;
-  vk_check(functions.create_acceleration_structure(device_.handle(), &create, nullptr, &level.handle), "vkCreateAccelerationStructureKHR");
+  vk_check(functions.create_acceleration_structure(device_.handle(), &create, nullptr, &level.handle),
+           "vkCreateAccelerationStructureKHR");
   const OnFailure clean_up{[&] { destroy_later(device_, level.handle); }};
 
   const uint64_t alignment = std::max<uint64_t>(device_.info().scratch_alignment, 1);

@@ -26,7 +26,8 @@ class AccelerationStructure {
     Buffer storage;
     uint64_t address = 0;
   };
-  Level build(const VkAccelerationStructureGeometryKHR& geometry, uint32_t primitives, VkAccelerationStructureTypeKHR type, const char* name);
+  Level build(const VkAccelerationStructureGeometryKHR& geometry, uint32_t primitives, VkAccelerationStructureTypeKHR type,
+              const char* name);
 
   Device& device_;
   std::vector<Level> bottom_;

@@ -9,7 +9,8 @@ class ErrorView {
  public:
   ErrorView(Device& device, uint32_t samples);
 
-  // One entry per light, each a value per sample in the surface buffer's order: visibility, and whether the point is a receiver.
+  // One entry per light, each a value per sample in the surface buffer's order: visibility, and whether the point is a
+  // receiver.
   struct Reference {
     std::span<const float> visibility;
     std::span<const uint8_t> receiver;

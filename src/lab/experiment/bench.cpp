@@ -10,11 +10,11 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/version.h"
-#include "lab/timing/bench_kernels.h"
 #include "lab/experiment/bench_run.h"
-#include "lab/timing/measure_layering.h"
-#include "lab/plan/quantity.h"
 #include "lab/experiment/result_line.h"
+#include "lab/plan/quantity.h"
+#include "lab/timing/bench_kernels.h"
+#include "lab/timing/measure_layering.h"
 #include "lab/timing/timing.h"
 
 namespace gnomon {

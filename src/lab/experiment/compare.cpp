@@ -10,8 +10,8 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "frame/rays/acceleration_structure.h"
-#include "lab/timing/measure_layering.h"
 #include "lab/experiment/result_line.h"
+#include "lab/timing/measure_layering.h"
 #include "lab/timing/timing.h"
 #include "measure/visibility_error.h"
 
@@ -19,18 +19,24 @@ namespace gnomon {
 namespace {
 
 std::string file_stem(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '_'; }, '-');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '_'; }, '-');
   return text;
 }
 
 // A line of an earlier run stands for a new one where all of this is equal; the rest of it are results.
-constexpr const char* k_identity[] = {"gnomon", "command", "scene", "camera", "lights", "size", "samples", "device", "technique", "settings"};
+constexpr const char* k_identity[] = {"gnomon", "command", "scene",  "camera",    "lights",
+                                      "size",   "samples", "device", "technique", "settings"};
 
 // One view under one light: its reference, and a line for every technique.
 class LightComparison {
  public:
   LightComparison(Session& session, const CompareOptions& options, ResultFolder& folder, std::string light_argument)
-      : session_(session), options_(options), folder_(folder), light_argument_(std::move(light_argument)), stem_(file_stem(session.scene().name)) {
+      : session_(session),
+        options_(options),
+        folder_(folder),
+        light_argument_(std::move(light_argument)),
+        stem_(file_stem(session.scene().name)) {
     if (!light_argument_.empty()) stem_ += "." + file_stem(light_argument_);
     common_ = describe_session(session_);
   }
@@ -77,8 +83,10 @@ class LightComparison {
     common_["reference"] = describe_reference(references_, truth());
     find_scored_samples();
     if (receivers_ == 0 && session_.chosen_lights().size() == 1) {
-      fail("{}: nothing that the camera sees faces the light '{}': there is no shadow to compare; valid: another --camera or --light",
-           session_.scene().name, session_.chosen_lights().front().name);
+      fail(
+          "{}: nothing that the camera sees faces the light '{}': there is no shadow to compare; valid: another --camera or "
+          "--light",
+          session_.scene().name, session_.chosen_lights().front().name);
     }
     if (options_.pictures) write_reference_pictures();
   }
@@ -111,8 +119,8 @@ class LightComparison {
     const uint64_t own = session_.device().allocated_bytes() - context.shared_bytes() - before;
     line["memory_bytes"] = own + context.shared_bytes_used();
 
-    const Timing timing =
-        time_frames(session_.device(), timing_options(session_.settings()), [&](Recorder& recorder) { session_.record_frame(recorder, techniques); });
+    const Timing timing = time_frames(session_.device(), timing_options(session_.settings()),
+                                      [&](Recorder& recorder) { session_.record_frame(recorder, techniques); });
     line["timing"] = timing_to_json(timing);
     line["passes"] = passes_to_json(timing);
     const double build = timing.stage_ms(PassStage::build), resolve = timing.stage_ms(PassStage::resolve);
@@ -139,12 +147,13 @@ class LightComparison {
     nlohmann::json& images = line["images"];
     images = reference_pictures_;
     images["shaded"] = write_picture(name + ".shaded", shaded);
-    images["mask"] = write_picture(name + ".mask", mask_picture(mask, truth().hard.receiver, shaded.width, shaded.height, samples));
-    images["error"]["hard"] =
-        write_picture(name + ".error.hard", signed_error_map(mask, truth().hard.visibility, truth().hard.receiver, samples, shaded));
+    images["mask"] =
+        write_picture(name + ".mask", mask_picture(mask, truth().hard.receiver, shaded.width, shaded.height, samples));
+    images["error"]["hard"] = write_picture(
+        name + ".error.hard", signed_error_map(mask, truth().hard.visibility, truth().hard.receiver, samples, shaded));
     if (truth().area) {
-      images["error"]["area"] =
-          write_picture(name + ".error.area", signed_error_map(mask, truth().area->visibility, truth().area->receiver, samples, shaded));
+      images["error"]["area"] = write_picture(
+          name + ".error.area", signed_error_map(mask, truth().area->visibility, truth().area->receiver, samples, shaded));
     }
   }
 
@@ -179,15 +188,18 @@ std::string light_argument(const Session& session, size_t index) {
   if (chosen.size() == 1) return session.options().lights.empty() ? "" : session.options().lights.front();
   // What was typed, where it names one light.
   std::vector<std::string> typed;
-  for (const std::string& text : session.options().lights) typed.insert(typed.end(), text == "all" ? session.scene().lights.size() : 1, text == "all" ? "" : text);
+  for (const std::string& text : session.options().lights)
+    typed.insert(typed.end(), text == "all" ? session.scene().lights.size() : 1, text == "all" ? "" : text);
   if (index < typed.size() && !typed[index].empty()) return typed[index];
   const auto& all = session.scene().lights;
   const auto named = [&](const Light& light) { return light.name == chosen[index].name; };
-  if (std::count_if(all.begin(), all.end(), named) == 1 && std::count_if(chosen.begin(), chosen.end(), named) == 1) return chosen[index].name;
+  if (std::count_if(all.begin(), all.end(), named) == 1 && std::count_if(chosen.begin(), chosen.end(), named) == 1)
+    return chosen[index].name;
   return std::to_string(session.light_number(index));
 }
 
-void measure_all(Session& session, const CompareOptions& options, const std::vector<const TechniqueSpec*>& specs, ResultFolder& folder) {
+void measure_all(Session& session, const CompareOptions& options, const std::vector<const TechniqueSpec*>& specs,
+                 ResultFolder& folder) {
   // Each light is measured by itself: its mask, its cost.
   const std::vector<Light> lights = session.chosen_lights();
   for (size_t i = 0; i < lights.size(); ++i) {
@@ -204,8 +216,8 @@ void measure_all(Session& session, const CompareOptions& options, const std::vec
 std::string what_is_kept(const ResultFolder& folder, size_t planned) {
   const size_t count = folder.lines().size() + folder.kept_count();
   if (count == 0) return "no result was complete, nothing is kept";
-  return fmt::format("{} of {} results are kept in {}; the same command with --resume measures the rest", std::min(count, planned), planned,
-                     folder.unfinished().string());
+  return fmt::format("{} of {} results are kept in {}; the same command with --resume measures the rest",
+                     std::min(count, planned), planned, folder.unfinished().string());
 }
 
 }  // namespace
@@ -231,10 +243,12 @@ std::unique_ptr<ResultFolder> compare(Device& device, const CompareOptions& opti
   ensure_layering_measured(device);
   Session session(device, options.view, settings);
   if (!options.resume) {
-    if (const auto run = unfinished_run(options.output)) log_warning("{}: the unfinished run is dropped; --resume would continue it", run->folder.string());
+    if (const auto run = unfinished_run(options.output))
+      log_warning("{}: the unfinished run is dropped; --resume would continue it", run->folder.string());
   }
   auto folder = std::make_unique<ResultFolder>(options.output, options.resume);
-  if (options.resume && folder->kept_count() == 0) log_info("{}: holds no unfinished run: everything is measured anew", options.output.string());
+  if (options.resume && folder->kept_count() == 0)
+    log_info("{}: holds no unfinished run: everything is measured anew", options.output.string());
   const size_t planned = specs.size() * session.chosen_lights().size();
   const InterruptScope scope;
   try {

@@ -19,8 +19,8 @@ struct CompareOptions {
   bool resume = false;  // keep the lines of an unfinished run that are still true
 };
 
-// Writes results.jsonl and images/ (docs/results_format.md) and returns their folder: complete, not yet published. The output folder
-// is made once the scene is loaded. Throws Interrupted, saying what is kept.
+// Writes results.jsonl and images/ (docs/results_format.md) and returns their folder: complete, not yet published. The output
+// folder is made once the scene is loaded. Throws Interrupted, saying what is kept.
 std::unique_ptr<ResultFolder> compare(Device& device, const CompareOptions& options, const Settings& settings);
 
 // The techniques that a list on the command line names, each once, in the order of their first names. Throws Error (usage).

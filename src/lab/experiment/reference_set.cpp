@@ -33,7 +33,8 @@ mat4 view_of_everything(const Box& box) {
 
 void check_triangles(size_t in_structure, size_t rasterised, const std::string& kind) {
   if (in_structure == rasterised && in_structure > 0) return;
-  fail("the {} reference holds {} triangles, but {} are drawn as casters: it is not to be believed", kind, in_structure, rasterised);
+  fail("the {} reference holds {} triangles, but {} are drawn as casters: it is not to be believed", kind, in_structure,
+       rasterised);
 }
 
 }  // namespace
@@ -78,7 +79,8 @@ ReferenceSet make_references(Session& session) {
     const AccelerationStructure& structure = session.context().acceleration_structure();
     check_triangles(structure.triangle_count(), rasterised, set.kind);
     const PipelineReference reference(session.device(), structure);
-    trace_all([&](const Light& light, bool area) { return reference.trace(session.frame(), light, area, params.samples, seed); });
+    trace_all(
+        [&](const Light& light, bool area) { return reference.trace(session.frame(), light, area, params.samples, seed); });
   } else {
     set.kind = "embree";
     const EmbreeReference reference(session.scene());

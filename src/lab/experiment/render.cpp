@@ -37,7 +37,8 @@ void write_picture(Session& session, Picture picture, const std::filesystem::pat
     return;
   }
   const ReferenceSet references = make_references(session);
-  const ReferenceResult& truth = references.lights.front().area ? *references.lights.front().area : references.lights.front().hard;
+  const ReferenceResult& truth =
+      references.lights.front().area ? *references.lights.front().area : references.lights.front().hard;
   const std::vector<float> mask = picture == Picture::reference ? truth.visibility : frame.read_mask(0);
   const int samples = static_cast<int>(frame.samples());
   if (exr) {
@@ -45,7 +46,8 @@ void write_picture(Session& session, Picture picture, const std::filesystem::pat
   } else if (picture == Picture::error) {
     write_png(output, signed_error_map(mask, truth.visibility, truth.receiver, samples, frame.read_display()));
   } else {
-    write_png(output, mask_picture(mask, truth.receiver, static_cast<int>(frame.size().x), static_cast<int>(frame.size().y), samples));
+    write_png(output,
+              mask_picture(mask, truth.receiver, static_cast<int>(frame.size().x), static_cast<int>(frame.size().y), samples));
   }
 }
 
@@ -63,8 +65,11 @@ class Motion {
     if (options.sun_path.empty()) return;
     sun_path_ = choose_sun_path(session.scene(), options.sun_path);
     check_seconds(name_of(*sun_path_), duration_s(*sun_path_));
-    sun_ = static_cast<size_t>(std::find_if(lights_.begin(), lights_.end(), [](const Light& l) { return l.kind == LightKind::directional; }) - lights_.begin());
-    if (sun_ == lights_.size()) fail_usage("--sun-path {}: no chosen light is directional; valid: with --light sun", options.sun_path);
+    sun_ = static_cast<size_t>(
+        std::find_if(lights_.begin(), lights_.end(), [](const Light& l) { return l.kind == LightKind::directional; }) -
+        lights_.begin());
+    if (sun_ == lights_.size())
+      fail_usage("--sun-path {}: no chosen light is directional; valid: with --light sun", options.sun_path);
     for (const char* key : {"light.azimuth", "light.elevation", "light.intensity"}) {
       if (session.settings().was_set(key)) fail_usage("--set {}=...: the sun path decides it", key);
     }
@@ -109,7 +114,8 @@ void render(Device& device, const RenderOptions& options, const Settings& settin
   for (const std::string& name : options.techniques) specs.push_back(&find_technique(name));
   settings.check_used(specs);
   const std::string extension = options.output.extension().string();
-  if (extension != ".png" && extension != ".exr") fail_usage("-o {}: valid: a path that ends in .png or .exr", options.output.string());
+  if (extension != ".png" && extension != ".exr")
+    fail_usage("-o {}: valid: a path that ends in .png or .exr", options.output.string());
   if (options.picture == Picture::error && extension == ".exr") fail_usage("--show error: valid: a path that ends in .png");
   const bool moves = !options.path.empty() || !options.sun_path.empty() || options.seconds != 0.0;
   if (options.frames == 0 && moves) fail_usage("--path, --sun-path and --seconds are for sequences; valid: with --frames N");

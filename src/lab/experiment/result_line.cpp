@@ -52,7 +52,8 @@ nlohmann::json describe_session(Session& session) {
   for (const Light& light : session.frame().lights()) line["lights"].push_back(describe_light(light));
   line["size"] = {session.frame().size().x, session.frame().size().y};
   line["samples"] = session.frame().samples();
-  line["device"] = {{"name", device.name}, {"type", device.type}, {"driver", device.driver}, {"driver_version", device.driver_version}};
+  line["device"] = {
+      {"name", device.name}, {"type", device.type}, {"driver", device.driver}, {"driver_version", device.driver_version}};
   return line;
 }
 

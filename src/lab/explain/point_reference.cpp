@@ -11,7 +11,8 @@ constexpr int k_samples = 256;
 
 }  // namespace
 
-PointReference::PointReference(SharedReference& rays) : building_(std::async(std::launch::async, [&rays] { return &rays.get(); })) {}
+PointReference::PointReference(SharedReference& rays)
+    : building_(std::async(std::launch::async, [&rays] { return &rays.get(); })) {}
 
 PointReference::~PointReference() {
   if (building_.valid()) building_.wait();

@@ -28,8 +28,10 @@ ShaderTree ShaderTree::of_this_build() {
 }
 
 std::string ShaderTree::unusable() const {
-  if (!std::filesystem::is_directory(src())) return fmt::format("{}: the source tree of this program is not there", src().string());
-  if (access(compiler.c_str(), X_OK) != 0) return fmt::format("{}: the compiler of the shaders is not there", compiler.string());
+  if (!std::filesystem::is_directory(src()))
+    return fmt::format("{}: the source tree of this program is not there", src().string());
+  if (access(compiler.c_str(), X_OK) != 0)
+    return fmt::format("{}: the compiler of the shaders is not there", compiler.string());
   return {};
 }
 

@@ -13,14 +13,16 @@ struct ShaderTree {
   std::filesystem::path root;  // holds src/
   std::filesystem::path compiler;
 
-  // What this program was built from, and with. The environment variable GNOMON_SOURCE_TREE names a copy of the tree to use instead.
+  // What this program was built from, and with. The environment variable GNOMON_SOURCE_TREE names a copy of the tree to use
+  // instead.
   static ShaderTree of_this_build();
   std::filesystem::path src() const { return root / "src"; }
   // Empty where shaders can be compiled, else what is missing.
   std::string unusable() const;
 };
 
-// The words of a shader by its name (gpu/shader.h). Throws Error with the compiler's message: "frame/shading/shade.comp:12: error: ..."
+// The words of a shader by its name (gpu/shader.h). Throws Error with the compiler's message: "frame/shading/shade.comp:12:
+// error: ..."
 std::vector<uint32_t> compile_shader(const ShaderTree& tree, const std::string& name);
 
 }  // namespace gnomon

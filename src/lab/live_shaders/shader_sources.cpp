@@ -101,7 +101,8 @@ std::set<std::string> ShaderSources::files_of(const std::string& name) {
 std::set<std::string> ShaderSources::all_files() const {
   std::set<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(src_)) {
-    if (is_one_of(entry.path().extension().string(), k_shader_suffixes)) files.insert(entry.path().lexically_relative(src_).string());
+    if (is_one_of(entry.path().extension().string(), k_shader_suffixes))
+      files.insert(entry.path().lexically_relative(src_).string());
   }
   return files;
 }

@@ -8,7 +8,8 @@
 
 namespace gnomon {
 
-// What the files say is read once, when it is first asked for: a new object sees new texts. Paths are relative to the tree's src/.
+// What the files say is read once, when it is first asked for: a new object sees new texts. Paths are relative to the tree's
+// src/.
 class ShaderSources {
  public:
   explicit ShaderSources(std::filesystem::path src) : src_(std::move(src)) {}

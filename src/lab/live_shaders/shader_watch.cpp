@@ -23,8 +23,8 @@ constexpr std::chrono::milliseconds k_interval(100);
 void check_push_constants(const std::string& name, std::span<const uint32_t> words) {
   const auto now = push_constant_offsets(words), built = push_constant_offsets(built_in_shader(name));
   if (!now.empty() && !built.empty() && now != built) {
-    fail("{}: its push constants have members at {} bytes, C++ code was built for {}; build the program and start it again", name,
-         fmt::join(now, ", "), fmt::join(built, ", "));
+    fail("{}: its push constants have members at {} bytes, C++ code was built for {}; build the program and start it again",
+         name, fmt::join(now, ", "), fmt::join(built, ", "));
   }
 }
 
@@ -131,7 +131,8 @@ void ShaderWatch::look(const std::set<std::string>& names) {
   }
   if (!of_cpp.empty()) {
     failed_ = true;
-    tell({}, fmt::format("{}: C++ code was built with the former text of this; build the program and start it again. Shaders that include it "
+    tell({}, fmt::format("{}: C++ code was built with the former text of this; build the program and start it again. Shaders "
+                         "that include it "
                          "are compiled again once its former text is back",
                          fmt::join(of_cpp, ", ")));
   } else if (!stale.empty()) {

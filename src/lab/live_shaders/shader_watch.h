@@ -16,7 +16,8 @@ namespace gnomon {
 
 // What happened since the last poll.
 struct ShaderNews {
-  // New words of every shader that a change reached; empty where none compiled. All or none of a change: shaders fit each other.
+  // New words of every shader that a change reached; empty where none compiled. All or none of a change: shaders fit each
+  // other.
   ShaderWords compiled;
   // Why the last change took no effect: the compiler's message. Empty again once the files are mended.
   std::string error;

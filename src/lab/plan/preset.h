@@ -1,8 +1,8 @@
 // Presets: settings of a run as a small JSON file that people write and share (docs/measuring.md, "Presets").
 //   {"description": "...", "source": "paper, year", "scene": "terrain", "techniques": ["cascaded/vsm"], "lights": ["sun"],
 //    "camera": "default", "size": [800, 600], "samples": 8 or "up to 8", "set": {"cascaded.size": 2048}}
-// Every key is optional. "technique" instead of "techniques": a list of it is one choice, of which each light takes the first that
-// supports its kind; "techniques" are alternatives.
+// Every key is optional. "technique" instead of "techniques": a list of it is one choice, of which each light takes the first
+// that supports its kind; "techniques" are alternatives.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -5,8 +5,8 @@
 
 #include "base/log.h"
 #include "frame/casters/layering_choice.h"
-#include "lab/view/session.h"
 #include "lab/timing/timing.h"
+#include "lab/view/session.h"
 
 namespace gnomon {
 
@@ -15,7 +15,8 @@ std::vector<LayeringTime> measure_layering(Device& device) {
   view.scene = "courtyard";
   view.size = {320, 240};
   std::vector<LayeringTime> times;
-  for (const auto path : {LayeringPath::per_layer, LayeringPath::vertex_layer, LayeringPath::geometry, LayeringPath::multiview}) {
+  for (const auto path :
+       {LayeringPath::per_layer, LayeringPath::vertex_layer, LayeringPath::geometry, LayeringPath::multiview}) {
     times.push_back({path, 0.0, layering_path_missing(device.info(), path)});
     if (!times.back().missing.empty()) continue;
     Settings settings;

@@ -122,7 +122,8 @@ void place(Light& light, std::string_view whole, const Kind& kind, const std::ve
 
 // As few digits as give the same number of Light again.
 std::string key_text(const Key& key, float member) {
-  const double value = std::clamp(static_cast<double>(member) / static_cast<double>(key.scale), static_cast<double>(key.min), static_cast<double>(key.max));
+  const double value = std::clamp(static_cast<double>(member) / static_cast<double>(key.scale), static_cast<double>(key.min),
+                                  static_cast<double>(key.max));
   std::string text;
   for (int digits = 6; digits <= 9; ++digits) {
     text = fmt::format("{:.{}g}", value, digits);
@@ -160,7 +161,8 @@ std::string light_text(const Light& light, float reach_m) {
   const Light usual = *parse_light(text);
   std::vector<std::string> keys;
   if (!light.name.empty() && light.name != usual.name) keys.push_back("name=" + light.name);
-  if (light.colour != usual.colour) keys.push_back(fmt::format("colour={}/{}/{}", light.colour.x, light.colour.y, light.colour.z));
+  if (light.colour != usual.colour)
+    keys.push_back(fmt::format("colour={}/{}/{}", light.colour.x, light.colour.y, light.colour.z));
   for (const Key& key : k_keys) {
     if (key.of[static_cast<size_t>(light.kind)] && light.*key.member != usual.*key.member) {
       keys.push_back(fmt::format("{}={}", key.name, key_text(key, light.*key.member)));
@@ -171,7 +173,8 @@ std::string light_text(const Light& light, float reach_m) {
 
 float light_reach(std::string_view text) {
   const auto pieces = split(text, ':');
-  const auto position = pieces.size() > 2 ? parse_vec3(pieces[1]) : std::nullopt, target = pieces.size() > 2 ? parse_vec3(pieces[2]) : std::nullopt;
+  const auto position = pieces.size() > 2 ? parse_vec3(pieces[1]) : std::nullopt,
+             target = pieces.size() > 2 ? parse_vec3(pieces[2]) : std::nullopt;
   return position && target ? glm::length(*target - *position) : 1.0f;
 }
 

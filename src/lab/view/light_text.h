@@ -16,8 +16,8 @@ namespace gnomon {
 // kind and a colon. Throws Error (usage) for what is wrong after that, naming what would be valid.
 std::optional<Light> parse_light(std::string_view text);
 
-// The inverse: parse_light gives that light again, numbers outside what it takes moved to its bounds. A spot or a projector points at
-// what is `reach_m` away. The name must not hold any of k_not_in_light_names.
+// The inverse: parse_light gives that light again, numbers outside what it takes moved to its bounds. A spot or a projector
+// points at what is `reach_m` away. The name must not hold any of k_not_in_light_names.
 std::string light_text(const Light& light, float reach_m = 1.0f);
 // How far away the target of such a text is; 1 where it has none.
 float light_reach(std::string_view text);

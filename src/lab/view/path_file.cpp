@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "lab/view/light_text.h"
 #include "lab/plan/fields.h"
+#include "lab/view/light_text.h"
 
 namespace gnomon {
 namespace {
@@ -23,7 +23,8 @@ vec3 read_vec3(const Fields& fields, const char* key, const char* valid) {
   if (!fields.has(key)) fail_usage("{}: no key '{}'; it is needed", fields.where(), key);
   const nlohmann::json& value = fields.at(key);
   const auto is_number = [](const nlohmann::json& item) { return item.is_number() && std::isfinite(item.get<float>()); };
-  if (!value.is_array() || value.size() != 3 || !std::all_of(value.begin(), value.end(), is_number)) fields.fail_value(key, valid);
+  if (!value.is_array() || value.size() != 3 || !std::all_of(value.begin(), value.end(), is_number))
+    fields.fail_value(key, valid);
   return {value[0].get<float>(), value[1].get<float>(), value[2].get<float>()};
 }
 
@@ -34,7 +35,8 @@ float read_number(const Fields& fields, const char* key, double least, double mo
 }
 
 CameraKey read_camera_key(const Fields& fields, double time_s) {
-  const CameraKey key{time_s, read_vec3(fields, "eye", "[x, y, z] in metres"), read_vec3(fields, "target", "[x, y, z] in metres")};
+  const CameraKey key{time_s, read_vec3(fields, "eye", "[x, y, z] in metres"),
+                      read_vec3(fields, "target", "[x, y, z] in metres")};
   if (key.eye == key.target) fields.fail_value("target", "another point than the eye");
   return key;
 }
@@ -49,14 +51,16 @@ SunKey read_sun_key(const Fields& fields, double time_s) {
 
 // The list of keys that `name` holds; each has a time and what `read` reads of it.
 template <class Key, class Read>
-std::vector<Key> read_keys(const Fields& fields, const char* name, std::initializer_list<std::string_view> valid, const Read& read) {
+std::vector<Key> read_keys(const Fields& fields, const char* name, std::initializer_list<std::string_view> valid,
+                           const Read& read) {
   const nlohmann::json& list = fields.at(name);
   if (!list.is_array() || list.size() < 2) fail_usage("{}: '{}': valid: a list of two keys or more", fields.where(), name);
   std::vector<Key> keys;
   for (const nlohmann::json& item : list) {
     const Fields key(item, fmt::format("{}: {}[{}]", fields.where(), name, keys.size()), valid);
     const double time_s = required_number(key, "time");
-    if (keys.empty() ? time_s != 0.0 : !(time_s > keys.back().time_s)) key.fail_value("time", "seconds: 0 of the first key, then rising");
+    if (keys.empty() ? time_s != 0.0 : !(time_s > keys.back().time_s))
+      key.fail_value("time", "seconds: 0 of the first key, then rising");
     keys.push_back(read(key, time_s));
   }
   return keys;
@@ -75,13 +79,14 @@ nlohmann::json number(float value) { return nlohmann::json::parse(fmt::format("{
 nlohmann::json list(const vec3& value) { return {number(value.x), number(value.y), number(value.z)}; }
 
 std::string key_text(const CameraKey& key) {
-  return fmt::format("{{\"time\": {}, \"eye\": {}, \"target\": {}}}", key.time_s, list(key.eye).dump(), list(key.target).dump());
+  return fmt::format("{{\"time\": {}, \"eye\": {}, \"target\": {}}}", key.time_s, list(key.eye).dump(),
+                     list(key.target).dump());
 }
 
 std::string key_text(const SunKey& key) {
   const glm::dvec2 angles = sun_angles(key.state.direction);
-  return fmt::format("{{\"time\": {}, \"azimuth\": {:.9g}, \"elevation\": {:.9g}, \"colour\": {}, \"intensity\": {}}}", key.time_s,
-                     angles.x, angles.y, list(key.state.colour).dump(), key.state.intensity);
+  return fmt::format("{{\"time\": {}, \"azimuth\": {:.9g}, \"elevation\": {:.9g}, \"colour\": {}, \"intensity\": {}}}",
+                     key.time_s, angles.x, angles.y, list(key.state.colour).dump(), key.state.intensity);
 }
 
 // A key a line: files of long walks stay readable.
@@ -99,12 +104,15 @@ Recording parse_recording(std::string_view json, const std::string& where) {
   const Fields fields(document, where, {"name", "keys", "sun"});
   const std::string name = fields.required_text("name");
   Recording recording;
-  if (fields.has("keys")) recording.camera = {name, read_keys<CameraKey>(fields, "keys", {"time", "eye", "target"}, read_camera_key)};
+  if (fields.has("keys"))
+    recording.camera = {name, read_keys<CameraKey>(fields, "keys", {"time", "eye", "target"}, read_camera_key)};
   if (fields.has("sun")) {
-    recording.sun = {name, read_keys<SunKey>(fields, "sun", {"time", "azimuth", "elevation", "colour", "intensity"}, read_sun_key)};
+    recording.sun = {name,
+                     read_keys<SunKey>(fields, "sun", {"time", "azimuth", "elevation", "colour", "intensity"}, read_sun_key)};
     check_turns(recording.sun->keys, where);
   }
-  if (!recording.camera && !recording.sun) fail_usage("{}: neither 'keys' (of a camera) nor 'sun'; one of them is needed", where);
+  if (!recording.camera && !recording.sun)
+    fail_usage("{}: neither 'keys' (of a camera) nor 'sun'; one of them is needed", where);
   return recording;
 }
 
@@ -120,13 +128,15 @@ Recording read_recording(const std::filesystem::path& path) { return parse_recor
 
 CameraPath read_camera_path(const std::filesystem::path& path) {
   auto recording = read_recording(path);
-  if (!recording.camera) fail_usage("{}: no key 'keys': it moves a sun, and no camera; valid: --sun-path {}", path.string(), path.string());
+  if (!recording.camera)
+    fail_usage("{}: no key 'keys': it moves a sun, and no camera; valid: --sun-path {}", path.string(), path.string());
   return *std::move(recording.camera);
 }
 
 RecordedSun read_sun_path(const std::filesystem::path& path) {
   auto recording = read_recording(path);
-  if (!recording.sun) fail_usage("{}: no key 'sun': it moves a camera, and no sun; valid: --path {}", path.string(), path.string());
+  if (!recording.sun)
+    fail_usage("{}: no key 'sun': it moves a camera, and no sun; valid: --path {}", path.string(), path.string());
   return *std::move(recording.sun);
 }
 

@@ -77,7 +77,8 @@ Preset effective_preset(const ViewOptions& view, const std::vector<std::string>&
     const size_t at = assignment.find('@'), equals = assignment.find('=');
     if (at == assignment.npos || at > equals) continue;
     const std::string id = assignment.substr(at + 1, assignment.find('.', at) - at - 1);
-    const bool used = std::any_of(specs.begin(), specs.end(), [&](const TechniqueSpec* spec) { return spec->default_settings().contains(id); });
+    const bool used = std::any_of(specs.begin(), specs.end(),
+                                  [&](const TechniqueSpec* spec) { return spec->default_settings().contains(id); });
     if (used) preset.set.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
   }
   for (const auto& [name, value] : settings.scene_options()) preset.set.emplace_back("scene." + name, fmt::format("{}", value));

@@ -17,7 +17,9 @@ namespace {
 void warn_of_suns_below_horizon(std::span<const Light> lights) {
   for (const Light& light : lights) {
     if (light.kind == LightKind::directional && light.direction.y >= 0.0f) {
-      log_warning("the sun '{}' is not above the horizon: it shines from below, or along the ground; light.elevation above 0 raises it", light.name);
+      log_warning(
+          "the sun '{}' is not above the horizon: it shines from below, or along the ground; light.elevation above 0 raises it",
+          light.name);
     }
   }
 }
@@ -29,9 +31,11 @@ void warn_of_coarse_coordinates(const Scene& scene) {
   const vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
   const float step_m = 1.2e-7f * std::max({farthest.x, farthest.y, farthest.z});
   if (step_m > 1e-5f * box.radius()) {
-    log_warning("{}: {:.3g} m across, and up to {:.3g} m from the origin, where 32-bit numbers are {:.2g} m apart: surfaces and shadows will be coarse or "
-                "lost; move the model to the origin",
-                scene.name, 2.0f * box.radius(), box.radius() + glm::length(box.centre()), step_m);
+    log_warning(
+        "{}: {:.3g} m across, and up to {:.3g} m from the origin, where 32-bit numbers are {:.2g} m apart: surfaces and "
+        "shadows will be coarse or "
+        "lost; move the model to the origin",
+        scene.name, 2.0f * box.radius(), box.radius() + glm::length(box.centre()), step_m);
   }
 }
 
@@ -119,7 +123,8 @@ void Session::change(const ViewOptions& options, Settings settings) {
 
 bool Session::other_frame(const ViewOptions& options, std::span<const Light> lights) const {
   const auto same_kind = [](const Light& a, const Light& b) { return a.kind == b.kind; };
-  return options.samples != options_.samples || !std::equal(lights.begin(), lights.end(), lights_.begin(), lights_.end(), same_kind);
+  return options.samples != options_.samples ||
+         !std::equal(lights.begin(), lights.end(), lights_.begin(), lights_.end(), same_kind);
 }
 
 bool Session::needs_new_frame(const ViewOptions& options, const Settings& settings) const {
@@ -158,14 +163,19 @@ std::vector<std::unique_ptr<Technique>> Session::make_techniques(std::span<const
   std::vector<std::unique_ptr<Technique>> techniques;
   for (size_t light = 0; light < frame_->lights().size(); ++light) {
     const LightKind kind = frame_->lights()[light].kind;
-    const auto spec = std::find_if(specs.begin(), specs.end(), [&](const TechniqueSpec* candidate) { return candidate->supports(kind); });
-    if (spec == specs.end()) fail_device("light '{}': no technique of this run supports {} lights", frame_->lights()[light].name, light_kind_name(kind));
+    const auto spec =
+        std::find_if(specs.begin(), specs.end(), [&](const TechniqueSpec* candidate) { return candidate->supports(kind); });
+    if (spec == specs.end())
+      fail_device("light '{}': no technique of this run supports {} lights", frame_->lights()[light].name,
+                  light_kind_name(kind));
     techniques.push_back((*spec)->make(*context_, settings_of(**spec, light)));
   }
   return techniques;
 }
 
-SettingsMap Session::settings_of(const TechniqueSpec& spec, size_t light) const { return settings_.for_technique(spec, frame_->lights()[light].name); }
+SettingsMap Session::settings_of(const TechniqueSpec& spec, size_t light) const {
+  return settings_.for_technique(spec, frame_->lights()[light].name);
+}
 
 void Session::record_frame(Recorder& recorder, std::span<const std::unique_ptr<Technique>> techniques) {
   frame_->record_surface(recorder);

@@ -18,8 +18,8 @@ struct ViewOptions {
   std::string scene;
   uvec2 size = {800, 600};
   uint32_t samples = 1;
-  bool fewer_samples = false;       // where the device does not offer `samples`: the most below that it does
-  std::string camera;               // empty: the scene's first, else a framing one; a name, a number, or "x,y,z:x,y,z" (eye:target)
+  bool fewer_samples = false;  // where the device does not offer `samples`: the most below that it does
+  std::string camera;          // empty: the scene's first, else a framing one; a name, a number, or "x,y,z:x,y,z" (eye:target)
   // Empty: the first directional light, else all lights, else the sun of the light settings. Else "sun", "all", names, numbers,
   // lights as text (lab/view/light_text.h).
   std::vector<std::string> lights;
@@ -63,11 +63,11 @@ class Session {
   // Between frames: nothing is built again, and techniques keep their objects. `lights` are the chosen ones, moved.
   void set_camera(const Camera& camera);
   void set_lights(std::vector<Light> lights);
-  // The same scene as `options` and `settings` show it: camera, lights, samples, frame settings. Throws Error (usage), and is then
-  // unchanged.
+  // The same scene as `options` and `settings` show it: camera, lights, samples, frame settings. Throws Error (usage), and is
+  // then unchanged.
   void change(const ViewOptions& options, Settings settings);
-  // Whether `change` to these makes another frame, since it has other samples, more or fewer lights, or other kinds of them. Techniques
-  // of the old frame must then be gone.
+  // Whether `change` to these makes another frame, since it has other samples, more or fewer lights, or other kinds of them.
+  // Techniques of the old frame must then be gone.
   bool needs_new_frame(const ViewOptions& options, const Settings& settings) const;
   // A frame of another size (Frame::resize); techniques stay valid.
   void resize(uvec2 size);
@@ -87,8 +87,8 @@ class Session {
   // Shades with the mask as it lies in the frame. Returns the picture.
   Image8 shade();
   void draw_surface();  // only the surface buffer
-  // Where a recorder gives up a frame (GivenUp), the surface buffer may hold a part of it, and that of a new frame holds nothing:
-  // complete_surface then draws it.
+  // Where a recorder gives up a frame (GivenUp), the surface buffer may hold a part of it, and that of a new frame holds
+  // nothing: complete_surface then draws it.
   void frame_is_given_up() { surface_is_whole_ = false; }
   void complete_surface();
 

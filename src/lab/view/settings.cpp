@@ -62,7 +62,8 @@ void Settings::assign(std::string_view assignment, std::string_view source) {
   const std::string id(assignment.substr(0, dot)), name(assignment.substr(dot + 1, equals - dot - 1));
   const std::string value(assignment.substr(equals + 1));
   const std::string where = source == "--set" ? id + "." + name : fmt::format("{} {}.{}", source, id, name);
-  if (!light.empty() && !is_technique_part(id)) fail_usage("{} {}: '{}' is no part of a technique; only those have values of their own for a light", source, whole, id);
+  if (!light.empty() && !is_technique_part(id))
+    fail_usage("{} {}: '{}' is no part of a technique; only those have values of their own for a light", source, whole, id);
   if (const auto block = blocks_.find(id); block != blocks_.end()) {
     block->second.set(name, value, where);
   } else if (id == "scene") {
@@ -88,8 +89,9 @@ const ParamBlock& Settings::block(std::string_view id) const {
 }
 
 bool Settings::was_set(std::string_view key) const {
-  return std::any_of(assignments_.begin(), assignments_.end(),
-                     [&](const std::string& text) { return text.size() > key.size() && text.starts_with(key) && text[key.size()] == '='; });
+  return std::any_of(assignments_.begin(), assignments_.end(), [&](const std::string& text) {
+    return text.size() > key.size() && text.starts_with(key) && text[key.size()] == '=';
+  });
 }
 
 void Settings::set_effective(std::string_view id, std::string_view name, double value) {
@@ -106,7 +108,8 @@ SettingsMap Settings::for_technique(const TechniqueSpec& spec, std::string_view 
   for (const bool of_one_light : {false, true}) {
     for (const Assignment& a : of_techniques_) {
       if (of_one_light ? a.light.empty() || a.light != light : !a.light.empty()) continue;
-      if (const auto block = settings.find(a.id); block != settings.end()) block->second.set(a.name, a.value, a.id + "." + a.name);
+      if (const auto block = settings.find(a.id); block != settings.end())
+        block->second.set(a.name, a.value, a.id + "." + a.name);
     }
   }
   return settings;
@@ -126,7 +129,8 @@ std::vector<std::string> Settings::assignments_for(const TechniqueSpec& spec) co
     const size_t equals = text.find('='), at = text.find('@');
     const size_t begin = at != text.npos && at < equals ? at + 1 : 0;
     const std::string_view id = std::string_view(text).substr(begin, text.find('.', begin) - begin);
-    const bool of_technique = std::any_of(spec.tables.begin(), spec.tables.end(), [&](const auto& table) { return table.first == id; });
+    const bool of_technique =
+        std::any_of(spec.tables.begin(), spec.tables.end(), [&](const auto& table) { return table.first == id; });
     if (of_technique || id == "scene" || blocks_.contains(id)) result.push_back(text);
   }
   return result;

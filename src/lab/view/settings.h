@@ -1,5 +1,5 @@
-// Everything that --set can reach: `id.key=value`, where id is a technique's part (single, pcf, bias, ...) or one of light, camera,
-// scene, frame, reference, measure.
+// Everything that --set can reach: `id.key=value`, where id is a technique's part (single, pcf, bias, ...) or one of light,
+// camera, scene, frame, reference, measure.
 #pragma once
 
 #include <map>
@@ -20,14 +20,14 @@ class Settings {
  public:
   Settings();
 
-  // "pcf.size=5", or "lamp@pcf.size=5" for the technique of one light. Throws Error (usage) for a key that no part of the program reads, or a value out of range; `source` is where the
-  // assignment stands, for the message.
+  // "pcf.size=5", or "lamp@pcf.size=5" for the technique of one light. Throws Error (usage) for a key that no part of the
+  // program reads, or a value out of range; `source` is where the assignment stands, for the message.
   void assign(std::string_view assignment, std::string_view source = "--set");
 
   const ParamBlock& block(std::string_view id) const;  // of the laboratory
   // The parts that any technique has; "scene", "light", ... are none.
   static bool is_technique_part(std::string_view id);
-  bool was_set(std::string_view key) const;            // "light.azimuth": given by the user, so it overrides the scene
+  bool was_set(std::string_view key) const;  // "light.azimuth": given by the user, so it overrides the scene
   void set_effective(std::string_view id, std::string_view name, double value);  // what the scene decided, for the record
 
   // A technique's defaults with the user's assignments; with those for a light of that name after the others.

@@ -36,7 +36,8 @@ std::string names_of(const std::vector<T>& list) {
 std::optional<Camera> parse_camera(const std::string& text, const Scene& scene) {
   const size_t colon = text.find(':');
   if (colon == text.npos) return std::nullopt;
-  const auto eye = parse_vec3(std::string_view(text).substr(0, colon)), target = parse_vec3(std::string_view(text).substr(colon + 1));
+  const auto eye = parse_vec3(std::string_view(text).substr(0, colon)),
+             target = parse_vec3(std::string_view(text).substr(colon + 1));
   if (!eye || !target || *eye == *target) return std::nullopt;
   Camera camera;
   camera.name = text;
@@ -108,10 +109,11 @@ Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& s
   } else if (const auto parsed = parse_camera(options.camera, scene)) {
     camera = *parsed;
   } else {
-    fail_usage("--camera {}: valid: 'frame', 'x,y,z:x,y,z' (eye and target in metres), or a camera of the scene: {}", options.camera,
-               names_of(scene.cameras));
+    fail_usage("--camera {}: valid: 'frame', 'x,y,z:x,y,z' (eye and target in metres), or a camera of the scene: {}",
+               options.camera, names_of(scene.cameras));
   }
-  if (settings.was_set("camera.vertical_fov") && camera.orthographic) fail_usage("--set camera.vertical_fov=...: the camera is orthographic");
+  if (settings.was_set("camera.vertical_fov") && camera.orthographic)
+    fail_usage("--set camera.vertical_fov=...: the camera is orthographic");
   if (settings.was_set("camera.vertical_fov")) camera.vertical_fov = radians(settings.block("camera").number("vertical_fov"));
   if (settings.was_set("camera.near")) camera.near = static_cast<float>(settings.block("camera").number("near"));
   settings.set_effective("camera", "vertical_fov", degrees(camera.vertical_fov));
@@ -122,7 +124,8 @@ Camera choose_camera(const Scene& scene, const ViewOptions& options, Settings& s
 std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options, const Settings& settings) {
   std::vector<Light> lights;
   if (options.lights.empty()) {
-    const auto sun = std::find_if(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
+    const auto sun = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                  [](const Light& light) { return light.kind == LightKind::directional; });
     // Lamps light a scene by themselves; a sun is invented only for one that has no light at all.
     if (sun != scene.lights.end()) {
       lights.push_back(*sun);
@@ -148,7 +151,8 @@ std::vector<Light> choose_lights(const Scene& scene, const ViewOptions& options,
   }
   name_apart(lights);
   for (const char* key : {"light.azimuth", "light.elevation", "light.angular_diameter"}) {
-    const bool any_sun = std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
+    const bool any_sun =
+        std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
     if (settings.was_set(key) && !any_sun) fail_usage("--set {}=...: no chosen light is directional", key);
   }
   for (Light& light : lights) override_light(light, settings);

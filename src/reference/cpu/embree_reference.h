@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/surface_point.h"
 #include "scene/scene.h"
+#include "scene/surface_point.h"
 
 namespace gnomon {
 

@@ -30,7 +30,9 @@ bool has_area(const ProgressiveReference::View& view, const Light& light) { retu
 }  // namespace
 
 ProgressiveReference::ProgressiveReference(SharedReference& rays, size_t caster_triangles)
-    : rays_of_scene_(rays), caster_triangles_(caster_triangles), thread_([this](const std::stop_token& token) { work(token); }) {}
+    : rays_of_scene_(rays),
+      caster_triangles_(caster_triangles),
+      thread_([this](const std::stop_token& token) { work(token); }) {}
 
 ProgressiveReference::~ProgressiveReference() { stop(); }
 
@@ -90,13 +92,15 @@ void ProgressiveReference::trace(const View& view, uint64_t generation) {
   if (const size_t held = rays.triangle_count(); held != caster_triangles_) {
     fail("the structure holds {} triangles, but {} are drawn as casters: it is not to be believed", held, caster_triangles_);
   }
-  const bool any_area = std::any_of(view.lights.begin(), view.lights.end(), [&](const Light& light) { return has_area(view, light); });
+  const bool any_area =
+      std::any_of(view.lights.begin(), view.lights.end(), [&](const Light& light) { return has_area(view, light); });
   const std::vector<int> counts = sample_counts(any_area ? view.samples : 1);
   {
     const std::lock_guard lock(mutex_);
     rays_ = rays_done_ = 0.0;
     for (const Light& light : view.lights) {
-      for (const int n : counts) rays_ += static_cast<double>(view.points.size()) * (has_area(view, light) ? n : n == 1 ? 1 : 0);
+      for (const int n : counts)
+        rays_ += static_cast<double>(view.points.size()) * (has_area(view, light) ? n : n == 1 ? 1 : 0);
     }
     rays_ = std::max(rays_, 1.0);
   }
@@ -115,8 +119,8 @@ void ProgressiveReference::trace(const View& view, uint64_t generation) {
   }
 }
 
-bool ProgressiveReference::trace_light(const EmbreeReference& rays, const View& view, uint64_t generation, size_t light, int samples,
-                                       ReferenceResult& result) {
+bool ProgressiveReference::trace_light(const EmbreeReference& rays, const View& view, uint64_t generation, size_t light,
+                                       int samples, ReferenceResult& result) {
   ReferenceResult whole;
   double square_sum = 0.0;
   size_t receivers = 0;

@@ -1,4 +1,5 @@
-// The reference of a view that may change at any moment: traced in the background, coarse at first, given up when the view moves on.
+// The reference of a view that may change at any moment: traced in the background, coarse at first, given up when the view
+// moves on.
 #pragma once
 
 #include <condition_variable>
@@ -18,8 +19,8 @@ class ProgressiveReference {
     uint32_t samples_of_pixel = 1;
     vec3 eye_ws = vec3(0.0f);
     std::vector<Light> lights;
-    bool area = true;                  // lights with their size, where they have one
-    int samples = 64;                  // of those, in the end
+    bool area = true;  // lights with their size, where they have one
+    int samples = 64;  // of those, in the end
     uint32_t seed = 1;
   };
   struct Answer {
@@ -46,7 +47,8 @@ class ProgressiveReference {
   void work(const std::stop_token& stop);
   void trace(const View& view, uint64_t generation);
   // False when the view is no longer wanted.
-  bool trace_light(const EmbreeReference& rays, const View& view, uint64_t generation, size_t light, int samples, ReferenceResult& result);
+  bool trace_light(const EmbreeReference& rays, const View& view, uint64_t generation, size_t light, int samples,
+                   ReferenceResult& result);
   bool wanted(uint64_t generation) const;
 
   SharedReference& rays_of_scene_;

@@ -13,7 +13,8 @@ class SharedReference {
   // Keeps a reference to the scene.
   explicit SharedReference(const Scene& scene) : scene_(scene) {}
 
-  // Built by the first thread that asks; others wait for it meanwhile. Throws what building throws; the next call then tries again.
+  // Built by the first thread that asks; others wait for it meanwhile. Throws what building throws; the next call then tries
+  // again.
   const EmbreeReference& get();
 
  private:

@@ -1,5 +1,5 @@
-// What the file of a built-in scene needs: scenes/<id>.cpp, or scenes/<id>/<id>.cpp, defines `BuiltinScene builtin_scene_<id>()`, and the
-// build finds it (src/scene/CMakeLists.txt).
+// What the file of a built-in scene needs: scenes/<id>.cpp, or scenes/<id>/<id>.cpp, defines `BuiltinScene
+// builtin_scene_<id>()`, and the build finds it (src/scene/CMakeLists.txt).
 #pragma once
 
 #include <map>

@@ -32,7 +32,8 @@ float shininess_of(float roughness) {
 }
 
 bool names_base_colour_texture(const GltfValue& material) {
-  const auto pbr = material.object("pbrMetallicRoughness"), glossiness = material.extension("KHR_materials_pbrSpecularGlossiness");
+  const auto pbr = material.object("pbrMetallicRoughness"),
+             glossiness = material.extension("KHR_materials_pbrSpecularGlossiness");
   return glossiness ? glossiness->object("diffuseTexture").has_value() : pbr && pbr->object("baseColorTexture");
 }
 
@@ -153,7 +154,8 @@ void GltfMaterials::read_material(const GltfValue& json) {
   } else if (mode != "OPAQUE") {
     json.fail_in("alphaMode", "is \"{}\"; valid: OPAQUE, MASK, BLEND", mode);
   }
-  if (mode != "OPAQUE" && material.base_colour_texture == k_no_texture && names_base_colour_texture(json)) without_cutouts_.push_back(material.name);
+  if (mode != "OPAQUE" && material.base_colour_texture == k_no_texture && names_base_colour_texture(json))
+    without_cutouts_.push_back(material.name);
 
   material.emissive = json.vector<3>("emissiveFactor", vec3(0.0f));
   if (const auto strength = json.extension("KHR_materials_emissive_strength")) {
@@ -233,7 +235,8 @@ void GltfMaterials::warn_of_lost_cutouts() const {
   std::string list;
   for (size_t i = 0; i < std::min(without_cutouts_.size(), k_shown); ++i) list += (i ? ", " : "") + without_cutouts_[i];
   if (without_cutouts_.size() > k_shown) list += fmt::format(" and {} more", without_cutouts_.size() - k_shown);
-  log_warning("{}: alpha-tested materials without their texture: {}; their cut-outs are lost: they cast as solid sheets", document_.name(), list);
+  log_warning("{}: alpha-tested materials without their texture: {}; their cut-outs are lost: they cast as solid sheets",
+              document_.name(), list);
 }
 
 }  // namespace gnomon

@@ -288,7 +288,8 @@ void add_obj_materials(Scene& scene, const std::string& source, const fs::path& 
     if (mtl && !mtl->alpha_texname.empty() && !material.masked) solid.push_back(material.name);
     scene.materials.push_back(std::move(material));
   }
-  warn_missing(source, "alpha-tested materials without their texture", solid, "their cut-outs are lost: they cast as solid sheets");
+  warn_missing(source, "alpha-tested materials without their texture", solid,
+               "their cut-outs are lost: they cast as solid sheets");
 }
 
 }  // namespace gnomon

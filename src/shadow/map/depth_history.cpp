@@ -21,10 +21,16 @@ void DepthHistory::record(Recorder& recorder, const DrawnMap& map) {
   };
   const ImageInfo& info = map.depth.info();
   const Buffer& last_views = map.last_views ? *map.last_views : map.views;
-  const Arguments arguments = {map.views.address(), last_views.address(), last_.address(),
-                               blended_.address(),  map.depth.sampled(),  info.width,
+  const Arguments arguments = {map.views.address(),
+                               last_views.address(),
+                               last_.address(),
+                               blended_.address(),
+                               map.depth.sampled(),
+                               info.width,
                                map.last_views ? history_ : 0.0f};
-  std::vector<ResourceUse> uses = {{map.depth, Use::compute_read}, {map.views, Use::compute_read}, {last_, Use::compute_read},
+  std::vector<ResourceUse> uses = {{map.depth, Use::compute_read},
+                                   {map.views, Use::compute_read},
+                                   {last_, Use::compute_read},
                                    {blended_, Use::compute_write}};
   if (map.last_views) uses.emplace_back(last_views, Use::compute_read);
   recorder.pass(name_ + "/temporal", PassStage::build, uses, [&](Commands& commands) {

@@ -10,18 +10,18 @@ namespace gnomon {
 
 // The map that a filter belongs to; constant between rebuilds.
 struct MapInfo {
-  std::string name;        // "projection/filter": of passes and images
-  uint32_t size = 0;       // texels along a side
+  std::string name;   // "projection/filter": of passes and images
+  uint32_t size = 0;  // texels along a side
   uint32_t layers = 0;
-  float history = 0.0f;    // temporal.history
+  float history = 0.0f;  // temporal.history
 };
 
 // What the projection drew this frame. Layers that are not in use hold depth 1.
 struct DrawnMap {
-  const Image& depth;      // D32, an array, with Filter::depth_samples() samples
-  const Image* object_ids; // R32_UINT; null unless Filter::object_ids()
-  const Buffer& views;     // ShadowMapData, then a ShadowView for each layer
-  uint64_t params;         // device address of the filter's parameters
+  const Image& depth;        // D32, an array, with Filter::depth_samples() samples
+  const Image* object_ids;   // R32_UINT; null unless Filter::object_ids()
+  const Buffer& views;       // ShadowMapData, then a ShadowView for each layer
+  uint64_t params;           // device address of the filter's parameters
   const Buffer* last_views;  // of the last frame's map, to blend this one with; null: there is none
 };
 
@@ -35,12 +35,12 @@ class Filter {
   virtual bool object_ids() const { return false; }     // the map also stores which object is nearest: MapSample::object_image
   virtual bool item_ids() const { return false; }       // with object_ids: which draw item, so that parts of an object differ
 
-  // Texels from a point's own place that lit() may read, mips aside. Casters farther than this from every point that a layer serves
-  // need not be drawn into it.
+  // Texels from a point's own place that lit() may read, mips aside. Casters farther than this from every point that a layer
+  // serves need not be drawn into it.
   virtual float reach() const { return 32.0f; }
 
-  // record() blends what the filter stores with what it stored last (MapInfo::history, DrawnMap::last_views). Otherwise the depth map
-  // that it reads is blended already.
+  // record() blends what the filter stores with what it stored last (MapInfo::history, DrawnMap::last_views). Otherwise the
+  // depth map that it reads is blended already.
   virtual bool blends_history() const { return false; }
 
   // Called once per build, before record: makes what the filter needs beside the depth map.

@@ -19,8 +19,8 @@ Box LightFrame::bounds(const Box& box) const {
   return result;
 }
 
-ShadowView projective_view(const mat4& clip_from_world, const vec4& depth_plane, float depth_near_m, float depth_range_m, float texel_m,
-                           uint32_t size) {
+ShadowView projective_view(const mat4& clip_from_world, const vec4& depth_plane, float depth_near_m, float depth_range_m,
+                           float texel_m, uint32_t size) {
   ShadowView view = {};
   view.raster.clip_from_world = clip_from_world;
   view.raster.kind = k_view_projective;
@@ -48,8 +48,8 @@ ShadowView orthographic_view(const LightFrame& light, const Box& fit, float near
   clip_from_light[2][2] = 1.0f / depth;
   clip_from_light[3] = vec4(-(2.0f * fit.min.x + width) / width, -(2.0f * fit.min.y + height) / height, -near / depth, 1.0f);
   const vec3 along = light.world_from_light[2];
-  return projective_view(clip_from_light * mat4(glm::transpose(light.world_from_light)), vec4(along / depth, -near / depth), 0.0f, depth,
-                         std::max(width, height) / static_cast<float>(size), size);
+  return projective_view(clip_from_light * mat4(glm::transpose(light.world_from_light)), vec4(along / depth, -near / depth),
+                         0.0f, depth, std::max(width, height) / static_cast<float>(size), size);
 }
 
 ShadowView perspective_view(const vec3& position, const mat3& axes, float half_angle, float near, float far, uint32_t size) {
@@ -62,7 +62,8 @@ ShadowView perspective_view(const vec3& position, const mat3& axes, float half_a
   mat4 view_from_world(glm::transpose(axes));
   view_from_world[3] = vec4(-(glm::transpose(axes) * position), 1.0f);
   const vec4 depth_plane(axes[2] / (far - near), (-glm::dot(axes[2], position) - near) / (far - near));
-  ShadowView view = projective_view(clip_from_view * view_from_world, depth_plane, near, far - near, 2.0f * slope / static_cast<float>(size), size);
+  ShadowView view = projective_view(clip_from_view * view_from_world, depth_plane, near, far - near,
+                                    2.0f * slope / static_cast<float>(size), size);
   view.origin_ws = position;
   return view;
 }
@@ -73,7 +74,8 @@ std::pair<float, float> distance_range(const vec3& position, float light_range, 
   if (light_range > 0.0f) far = std::min(far, light_range);
   const float outside = glm::length(glm::max(glm::max(casters.min - position, position - casters.max), vec3(0.0f)));
   far = std::max(far * 1.001f, 1e-3f);
-  // Inside the casters' box the first one may be anywhere: a thousandth of the reach keeps the depth of 32 bits exact to a tenth of that.
+  // Inside the casters' box the first one may be anywhere: a thousandth of the reach keeps the depth of 32 bits exact to a
+  // tenth of that.
   const float near = std::clamp(0.95f * outside / std::sqrt(3.0f), far * 1e-3f, 0.5f * far);
   return {near, far};
 }

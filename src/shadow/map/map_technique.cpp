@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "frame/surface/pixel_tile.glsl"
 #include "frame/casters/layering_choice.h"
+#include "frame/surface/pixel_tile.glsl"
 #include "scene/light_shape.h"
 
 namespace gnomon {
@@ -19,7 +19,8 @@ LayeringPath chosen_path(const submission_params::Params& params, const DeviceIn
   return static_cast<LayeringPath>(params.path - submission_params::path_per_layer);
 }
 
-// A map that does not change is drawn until less than this of it is from before its last change, and then kept (submission.cache).
+// A map that does not change is drawn until less than this of it is from before its last change, and then kept
+// (submission.cache).
 constexpr float k_settled = 1e-3f;
 
 }  // namespace
@@ -42,7 +43,8 @@ MapTechnique::MapTechnique(TechniqueContext& context, const ProjectionInfo& proj
   filter_->prepare(device, map);
   if (history_ > 0.0f && !filter_->blends_history()) depth_history_ = DepthHistory(device, map);
   const auto make_views = [&](const char* suffix) {
-    return Buffer(device, name_ + suffix, sizeof(ShadowMapData) + projection_->layers() * sizeof(ShadowView), BufferMemory::upload);
+    return Buffer(device, name_ + suffix, sizeof(ShadowMapData) + projection_->layers() * sizeof(ShadowView),
+                  BufferMemory::upload);
   };
   views_ = make_views(" views");
   if (history_ > 0.0f) last_views_ = make_views(" last views");
@@ -148,8 +150,8 @@ void MapTechnique::record(Recorder& recorder, const Frame& frame, size_t light) 
 std::optional<ShadowMapView> MapTechnique::shadow_map() const {
   if (!map_is_current_) return std::nullopt;
   const DrawnMap map = drawn();
-  return ShadowMapView{projection_id_, filter_id_,     &depth_,      &filter_->map(map),   map.object_ids, &views_,
-                       &params_,       filter_offset_, bias_offset_, projection_->layers(), kept_,         unsettled_};
+  return ShadowMapView{projection_id_, filter_id_,     &depth_,      &filter_->map(map),    map.object_ids, &views_,
+                       &params_,       filter_offset_, bias_offset_, projection_->layers(), kept_,          unsettled_};
 }
 
 void MapTechnique::record_map(Recorder& recorder, const Frame& frame, size_t light) {
@@ -157,8 +159,8 @@ void MapTechnique::record_map(Recorder& recorder, const Frame& frame, size_t lig
   // What stands behind a projector must not be drawn onto its near plane.
   const bool clip_near = frame.lights()[light].kind == LightKind::projector;
   const LightViews views = {&views_, sizeof(ShadowMapData), sizeof(ShadowView), projection_->layers(), clip_near};
-  draws_->record(recorder, projection_id_, views, static_cast<CasterCulling>(submission_.culling), bias_.front_face_culling != 0, depth_,
-                 filter_->object_ids() ? &object_ids_ : nullptr);
+  draws_->record(recorder, projection_id_, views, static_cast<CasterCulling>(submission_.culling),
+                 bias_.front_face_culling != 0, depth_, filter_->object_ids() ? &object_ids_ : nullptr);
   if (history_ > 0.0f && !filter_->blends_history()) depth_history_.record(recorder, drawn());
   filter_->record(recorder, drawn());
 }

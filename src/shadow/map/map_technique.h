@@ -27,7 +27,8 @@ namespace temporal_params {
 
 class MapTechnique : public Technique {
  public:
-  MapTechnique(TechniqueContext& context, const ProjectionInfo& projection, const FilterInfo& filter, const SettingsMap& settings);
+  MapTechnique(TechniqueContext& context, const ProjectionInfo& projection, const FilterInfo& filter,
+               const SettingsMap& settings);
   void set(const SettingsMap& settings) override;
   void record(Recorder& recorder, const Frame& frame, size_t light) override;
   std::optional<ShadowMapView> shadow_map() const override;
@@ -51,7 +52,7 @@ class MapTechnique : public Technique {
   std::vector<std::byte> view_bytes_;           // as in views_, where the CPU can read them
   size_t filter_offset_ = 0, bias_offset_ = 0;  // of the blocks in params_
   std::unique_ptr<CasterDraws> draws_;
-  DepthHistory depth_history_;                  // where the filter blends nothing itself
+  DepthHistory depth_history_;  // where the filter blends nothing itself
   Pipeline resolve_;
   bool kept_ = false;            // the last frame drew no map
   bool map_is_current_ = false;  // there is a map of an earlier frame with the same settings

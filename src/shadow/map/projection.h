@@ -24,11 +24,11 @@ class Projection {
   // All views are paraboloids, and casters are drawn without bending (CasterDrawOptions::paraboloid).
   virtual bool exact_paraboloid() const { return false; }
 
-  // The views of this frame: at most layers(); fewer where this frame needs fewer. They see every caster that can shadow a visible
-  // point (a projection that computes its views on the GPU gives a safe first guess here).
+  // The views of this frame: at most layers(); fewer where this frame needs fewer. They see every caster that can shadow a
+  // visible point (a projection that computes its views on the GPU gives a safe first guess here).
   virtual std::vector<ShadowView> views(const Frame& frame, const Light& light) const = 0;
-  // For projections that compute views on the GPU: passes that overwrite `views` (a ShadowMapData, then ShadowViews; device address
-  // in the buffer), from the surface buffer.
+  // For projections that compute views on the GPU: passes that overwrite `views` (a ShadowMapData, then ShadowViews; device
+  // address in the buffer), from the surface buffer.
   virtual bool on_gpu() const { return false; }
   virtual void record_views(Recorder& /*recorder*/, const Frame& /*frame*/, const Light& /*light*/, const Buffer& /*views*/) {}
 };

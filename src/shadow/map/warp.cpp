@@ -17,7 +17,8 @@ Polygon ordered_around(Polygon points, const dvec3& normal) {
   if (points.size() < 3) return {};
   dvec3 centre(0.0);
   for (const dvec3& p : points) centre += p / static_cast<double>(points.size());
-  const dvec3 x = glm::normalize(std::abs(normal.x) < 0.7 ? glm::cross(normal, dvec3(1, 0, 0)) : glm::cross(normal, dvec3(0, 1, 0)));
+  const dvec3 x =
+      glm::normalize(std::abs(normal.x) < 0.7 ? glm::cross(normal, dvec3(1, 0, 0)) : glm::cross(normal, dvec3(0, 1, 0)));
   const dvec3 y = glm::cross(normal, x);
   const auto angle = [&](const dvec3& p) { return std::atan2(glm::dot(p - centre, y), glm::dot(p - centre, x)); };
   std::sort(points.begin(), points.end(), [&](const dvec3& a, const dvec3& b) { return angle(a) < angle(b); });
@@ -89,7 +90,8 @@ std::vector<vec3> clipped_corners(const std::array<vec3, 8>& slice, std::span<co
 }
 
 WarpFit warp_fit(const CameraData& camera, const Light& light, const Box& casters, const Box& scene, float from_m, float to_m) {
-  WarpFit fit = {axes_along_view(light.direction, camera.forward_ws), {}, {}, {}, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, camera.orthographic != 0};
+  WarpFit fit = {
+      axes_along_view(light.direction, camera.forward_ws), {}, {}, {}, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, camera.orthographic != 0};
   const mat3& axes = fit.axes.world_from_light;
   Box shadowed = fit.axes.bounds(casters.empty() ? scene : casters);  // without casters any fit will do
   fit.first_caster_z = shadowed.min.z;
@@ -115,7 +117,8 @@ WarpFit warp_fit(const CameraData& camera, const Light& light, const Box& caster
 float light_space_perspective_distance(const WarpFit& fit, float nearest, float strength) {
   if (fit.body.empty() || fit.orthographic || fit.sine < 1e-4f || strength <= 0.0f) return k_no_warp;
   const float first = std::max(fit.nearest_m, nearest * (fit.farthest_m - fit.nearest_m));
-  // As the authors' program does: the near plane as the light sees it, and the far one from the body's length in the light's plane.
+  // As the authors' program does: the near plane as the light sees it, and the far one from the body's length in the light's
+  // plane.
   const float z_n = first / fit.sine, z_f = z_n + fit.bounds.extent().y * fit.sine;
   return (z_n + std::sqrt(z_n * z_f)) / (fit.sine * strength);
 }
@@ -135,7 +138,8 @@ float trapezoidal_distance(const WarpFit& fit, float focus, float share) {
 
 ShadowView warped_view(const WarpFit& fit, float apex_distance, uint32_t size, float border) {
   // w = 1 + (y - y0) / n is 1 at the near side. (x - x0) / w and (y - y0) / w tend to x and y as n grows: no digits are lost.
-  const double bend = apex_distance >= k_no_warp ? 0.0 : 1.0 / std::max(double(apex_distance), 1e-4 * double(fit.bounds.extent().y) + 1e-9);
+  const double bend =
+      apex_distance >= k_no_warp ? 0.0 : 1.0 / std::max(double(apex_distance), 1e-4 * double(fit.bounds.extent().y) + 1e-9);
   const dvec2 origin = fit.body.empty() ? dvec2(0.0) : dvec2(fit.eye.x, fit.bounds.min.y);
   dvec2 low(1e30), high(-1e30);
   float far = fit.first_caster_z;
@@ -161,8 +165,9 @@ ShadowView warped_view(const WarpFit& fit, float apex_distance, uint32_t size, f
   const glm::dmat4 light_from_world(glm::transpose(glm::dmat3(fit.axes.world_from_light)));
   const vec3 along = fit.axes.world_from_light[2];
   const auto range = static_cast<float>(depth);
-  ShadowView view = projective_view(mat4(clip_from_light * light_from_world), vec4(along / range, static_cast<float>(-near / depth)), 0.0f, range,
-                                    static_cast<float>(extent.x / double(size)), size);
+  ShadowView view =
+      projective_view(mat4(clip_from_light * light_from_world), vec4(along / range, static_cast<float>(-near / depth)), 0.0f,
+                      range, static_cast<float>(extent.x / double(size)), size);
   view.texel_along_m = static_cast<float>(extent.y / double(size));
   view.border = border;
   return view;

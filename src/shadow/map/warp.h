@@ -1,6 +1,7 @@
-// Perspective warps of a parallel light's map (Wimmer et al. 2004; Martin and Tan 2004): a projective map in the light's plane, along
-// the view direction, gives what is near the viewer more texels. Parallel light stays parallel: x and y of the map do not depend on
-// the depth. What the two methods differ in is one number, the distance from the near side of what is visible to the warp's apex.
+// Perspective warps of a parallel light's map (Wimmer et al. 2004; Martin and Tan 2004): a projective map in the light's plane,
+// along the view direction, gives what is near the viewer more texels. Parallel light stays parallel: x and y of the map do not
+// depend on the depth. What the two methods differ in is one number, the distance from the near side of what is visible to the
+// warp's apex.
 #pragma once
 
 #include <span>
@@ -11,8 +12,8 @@
 
 namespace gnomon {
 
-// The corners of the part of a hexahedron (as slice_corners gives it) where dot(plane, (p, 1)) >= 0 for every plane. Empty where there
-// is none.
+// The corners of the part of a hexahedron (as slice_corners gives it) where dot(plane, (p, 1)) >= 0 for every plane. Empty
+// where there is none.
 std::vector<vec3> clipped_corners(const std::array<vec3, 8>& slice, std::span<const vec4> planes);
 
 // What a warped map must hold.
@@ -22,18 +23,19 @@ struct WarpFit {
   Box bounds;              // of the body
   vec3 eye;                // in axes
   float first_caster_z;
-  float start_z;           // light_start()
-  float sine;              // of the angle between light and view
+  float start_z;                // light_start()
+  float sine;                   // of the angle between light and view
   float nearest_m, farthest_m;  // view depths of the body
-  bool orthographic;       // of the viewer's camera: there is no perspective to follow
+  bool orthographic;            // of the viewer's camera: there is no perspective to follow
 };
 WarpFit warp_fit(const CameraData& camera, const Light& light, const Box& casters, const Box& scene, float from_m, float to_m);
 
 // Distance of the apex, metres; k_no_warp: a uniform map, to which both go smoothly as the light turns along the view.
 inline constexpr float k_no_warp = 3.0e38f;
 
-// Wimmer, Scherzer, Purgathofer 2004, section 4.2: n = (z_n + sqrt(z_n z_f)) / sin(gamma), which levels the perspective error over the
-// view. The first visible thing is rarely at the near plane: z_n is at least `nearest` of the visible depth. `strength` divides n.
+// Wimmer, Scherzer, Purgathofer 2004, section 4.2: n = (z_n + sqrt(z_n z_f)) / sin(gamma), which levels the perspective error
+// over the view. The first visible thing is rarely at the near plane: z_n is at least `nearest` of the visible depth.
+// `strength` divides n.
 float light_space_perspective_distance(const WarpFit& fit, float nearest, float strength);
 
 // Martin and Tan 2004, section 5: the nearest `focus` of the visible depth is given `share` of the map (the 80 % rule).

@@ -5,8 +5,8 @@
 namespace gnomon::viewer {
 namespace {
 
-constexpr float k_keys_px_s = 300.0f;         // turning by keys, as if the mouse was moved so fast
-constexpr float k_distance_per_s = 2.0f;      // moving by keys: the distance is halved or doubled
+constexpr float k_keys_px_s = 300.0f;     // turning by keys, as if the mouse was moved so fast
+constexpr float k_distance_per_s = 2.0f;  // moving by keys: the distance is halved or doubled
 constexpr float k_distance_per_notch = 0.87f;
 
 }  // namespace

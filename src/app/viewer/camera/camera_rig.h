@@ -11,8 +11,8 @@ class CameraRig {
  public:
   CameraRig(const Camera& camera, float scale_m) : camera_(camera, scale_m), scale_m_(scale_m) {}
 
-  // True when the camera moved or turned. In an orbit the mouse, left, right, up and down go around the centre, forward, back and the
-  // wheel toward and away from it.
+  // True when the camera moved or turned. In an orbit the mouse, left, right, up and down go around the centre, forward, back
+  // and the wheel toward and away from it.
   bool update(const CameraInput& input, float seconds);
   // Goes on from where `camera` stands, after it was placed by something else.
   void stand_at(const Camera& camera);
@@ -32,7 +32,7 @@ class CameraRig {
   vec3 ahead() const { return camera_.eye() + 0.5f * scale_m_ * camera_.forward(); }
 
   FlyCamera camera_;
-  float scale_m_;  // of the scene
+  float scale_m_;                         // of the scene
   bool orbits_ = false, around_ = false;  // around_: in the last frame, at least
   std::optional<vec3> centre_ws_;
 };

@@ -15,7 +15,8 @@ constexpr float k_speed_per_notch = 1.25f;
 }  // namespace
 
 std::string camera_text(const vec3& eye_ws, const vec3& target_ws) {
-  return fmt::format("{:.7g},{:.7g},{:.7g}:{:.7g},{:.7g},{:.7g}", eye_ws.x, eye_ws.y, eye_ws.z, target_ws.x, target_ws.y, target_ws.z);
+  return fmt::format("{:.7g},{:.7g},{:.7g}:{:.7g},{:.7g},{:.7g}", eye_ws.x, eye_ws.y, eye_ws.z, target_ws.x, target_ws.y,
+                     target_ws.z);
 }
 
 FlyCamera::FlyCamera(const Camera& camera, float scale_m)

@@ -8,7 +8,7 @@
 namespace gnomon::viewer {
 
 struct CameraInput {
-  vec3 move = vec3(0.0f);  // -1 to 1: right, up, forward
+  vec3 move = vec3(0.0f);     // -1 to 1: right, up, forward
   vec2 look_px = vec2(0.0f);  // of the mouse: right, down
   float wheel = 0.0f;
   bool around = false;  // turns about what is looked at, not about itself

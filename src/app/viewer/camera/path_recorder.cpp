@@ -18,7 +18,8 @@ bool same(const Moment& a, const Moment& b) {
   return same(a.camera, b.camera) && suns;
 }
 
-// Between two suns that are opposite each other there is no shortest way (lab/view/path_file refuses such keys): it leads past the zenith.
+// Between two suns that are opposite each other there is no shortest way (lab/view/path_file refuses such keys): it leads past
+// the zenith.
 bool opposite(const SunState& a, const SunState& b) { return glm::dot(a.direction, b.direction) < -0.99f; }
 SunState between(const SunState& a, const SunState& b) {
   const vec3 down(0.0f, -1.0f, 0.0f);

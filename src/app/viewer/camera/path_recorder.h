@@ -18,8 +18,8 @@ class PathRecorder {
   void start(const Moment& moment);
   // Every frame while it records. Keys are a tenth of a second apart at least.
   void add(double seconds, const Moment& moment);
-  // A path of what moved, both with the same times; nullopt where nothing did. A sun that came later, or is gone meanwhile, stays where it
-  // was first or last.
+  // A path of what moved, both with the same times; nullopt where nothing did. A sun that came later, or is gone meanwhile,
+  // stays where it was first or last.
   std::optional<Recording> stop(const std::string& name);
 
   bool records() const { return records_; }

@@ -27,8 +27,8 @@ class SavedCameras {
 
 // Shows a camera of the scene with its own lens; `camera` as --camera reads it.
 void choose_scene_camera(ViewState& state, const std::string& camera);
-// A camera given as text has the lens of the settings: that of the session's camera goes with it. Call it where the state's camera becomes
-// text.
+// A camera given as text has the lens of the settings: that of the session's camera goes with it. Call it where the state's
+// camera becomes text.
 void keep_lens(ViewState& state, const Session& session);
 
 }  // namespace gnomon::viewer

@@ -89,7 +89,8 @@ std::vector<std::string> Comparison::words(size_t row, const ViewState& now, uve
 
 std::filesystem::path Comparison::step_folder(size_t step) const { return folder_ / fmt::format("{:02}", step + 1); }
 
-void Comparison::write_report(const ViewState& now, std::span<const Light> lights, uvec2 size, const std::filesystem::path& folder) {
+void Comparison::write_report(const ViewState& now, std::span<const Light> lights, uvec2 size,
+                              const std::filesystem::path& folder) {
   GNOMON_ASSERT(!busy() && measurable(lights) > 0);
   folder_ = folder;
   make_folder(folder_);

@@ -1,6 +1,6 @@
-// Collected settings, and the report that `gnomon compare` makes of them: each is measured by a program of its own, so that the window
-// lives on and every row has a command. A row belongs to no scene, unless it has settings for a light by name: the report is of the scene
-// that is shown when it is written.
+// Collected settings, and the report that `gnomon compare` makes of them: each is measured by a program of its own, so that the
+// window lives on and every row has a command. A row belongs to no scene, unless it has settings for a light by name: the
+// report is of the scene that is shown when it is written.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,8 @@ class Comparison {
 
   // Measures every row that can be, one at least. `lights`: those of `now`. Throws Error where the folder cannot be made.
   void write_report(const ViewState& now, std::span<const Light> lights, uvec2 size, const std::filesystem::path& folder);
-  // Call it once a frame: goes on with the next command where one has ended. Throws Error where one failed: the report is then given up.
+  // Call it once a frame: goes on with the next command where one has ended. Throws Error where one failed: the report is then
+  // given up.
   void update();
   void stop();
   bool busy() const { return child_ != nullptr; }

@@ -16,7 +16,9 @@ constexpr int k_settling_frames = 3;
 // Reading a mask back and comparing it takes a few milliseconds.
 constexpr std::chrono::milliseconds k_between_scores{300};
 
-void append(std::vector<std::byte>& key, std::span<const std::byte> bytes) { key.insert(key.end(), bytes.begin(), bytes.end()); }
+void append(std::vector<std::byte>& key, std::span<const std::byte> bytes) {
+  key.insert(key.end(), bytes.begin(), bytes.end());
+}
 
 bool of_view(const std::string& key) {
   return key.starts_with("light.") || key.starts_with("camera.") || key.starts_with("scene.");
@@ -30,7 +32,8 @@ Sides::Sides(SidesChoice& choice, const ViewState& state, SharedReference& rays)
 
 float Sides::divider() const {
   // Until there is a reference the second picture is of another view, or of another scene.
-  if (choice_.second == SecondSide::none || (choice_.second == SecondSide::reference && !(reference_ && reference_->answer()))) return 1.0f;
+  if (choice_.second == SecondSide::none || (choice_.second == SecondSide::reference && !(reference_ && reference_->answer())))
+    return 1.0f;
   if (choice_.flip_mode) return choice_.flipped ? 0.0f : 1.0f;
   return choice_.divider;
 }

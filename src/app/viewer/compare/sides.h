@@ -4,11 +4,11 @@
 #include <array>
 #include <memory>
 
-#include "app/viewer/window/canvas.h"
+#include "app/viewer/compare/view_reference.h"
 #include "app/viewer/explain/explain.h"
 #include "app/viewer/state/technique_set.h"
-#include "app/viewer/compare/view_reference.h"
 #include "app/viewer/state/view_state.h"
+#include "app/viewer/window/canvas.h"
 #include "measure/visibility_error.h"
 
 namespace gnomon::viewer {
@@ -26,16 +26,17 @@ struct SidesChoice {
 
 class Sides {
  public:
-  // `choice` outlives the scene: where it was made in another one, what belongs to that scene is left behind. Keeps a reference to `rays`.
+  // `choice` outlives the scene: where it was made in another one, what belongs to that scene is left behind. Keeps a reference
+  // to `rays`.
   Sides(SidesChoice& choice, const ViewState& state, SharedReference& rays);
 
   // `light`: whose error is shown. Exchanging the sides changes `state`.
   void show(ViewState& state, const Session& session, size_t light);
   void show_divider();  // and the names of the sides, over the picture
 
-  // The second side's picture with what `explain` says of it, where it is out of date; the session then shows `state` again, and true means that
-  // the frame holds the other side's surface and masks. Throws Error where the second side's settings cannot be shown: there is then no second
-  // side; GivenUp where `recorder` does.
+  // The second side's picture with what `explain` says of it, where it is out of date; the session then shows `state` again,
+  // and true means that the frame holds the other side's surface and masks. Throws Error where the second side's settings
+  // cannot be shown: there is then no second side; GivenUp where `recorder` does.
   bool draw_second(Recorder& recorder, Session& session, const ViewState& state, Canvas& canvas, Explain& explain);
   // Behind the first side's shading.
   void record_error(Recorder& recorder, const Frame& frame) const;
@@ -77,10 +78,10 @@ class Sides {
 
   SharedReference& rays_;
   SidesChoice& choice_;
-  TechniqueSet techniques_;            // of choice_.other
+  TechniqueSet techniques_;             // of choice_.other
   ViewState first_, made_of_, second_;  // of SecondSide::settings: the state that is shown, and the two that it was made of
   std::vector<std::byte> second_key_;   // of what the second picture shows
-  int settling_ = 0;                   // frames that the second picture still needs
+  int settling_ = 0;                    // frames that the second picture still needs
   size_t light_ = 0;
   std::unique_ptr<ViewReference> reference_;  // from its first use on
   std::array<std::optional<Score>, 2> score_;

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "app/viewer/compare/sides.h"
-#include "app/viewer/status_file.h"
 #include "app/viewer/panels/technique_list.h"
+#include "app/viewer/status_file.h"
 
 namespace gnomon::viewer {
 
@@ -52,8 +52,8 @@ void Sides::show(ViewState& state, const Session& session, size_t light) {
     const LightKind kind = lights[light_].kind;
     const std::string label = lights.size() > 1 ? fmt::format("for {}", lights[light_].name) : "technique";
     ImGui::SetNextItemWidth(0.6f * ImGui::GetContentRegionAvail().x);
-    const TechniqueSpec* chosen =
-        show_technique_list((label + "###second_technique").c_str(), "second_technique", technique_for(choice_.other.techniques, kind), kind);
+    const TechniqueSpec* chosen = show_technique_list((label + "###second_technique").c_str(), "second_technique",
+                                                      technique_for(choice_.other.techniques, kind), kind);
     if (chosen) choice_.other.choose_technique(*chosen, kind, lights);
   }
   ImGui::Checkbox("error over the picture (X)", &choice_.error);
@@ -78,9 +78,10 @@ void Sides::show(ViewState& state, const Session& session, size_t light) {
 
 void Sides::show_reference() const {
   const ProgressiveReference::Answer* answer = reference_ ? reference_->answer() : nullptr;
-  const std::string text = answer && answer->complete ? fmt::format("{} ray{}", answer->samples, answer->samples == 1 ? "" : "s")
-                           : answer                   ? fmt::format("{} of {} rays", answer->samples, reference_->samples())
-                                                      : std::string("waits for a still view");
+  const std::string text = answer && answer->complete
+                               ? fmt::format("{} ray{}", answer->samples, answer->samples == 1 ? "" : "s")
+                           : answer ? fmt::format("{} of {} rays", answer->samples, reference_->samples())
+                                    : std::string("waits for a still view");
   const double share = answer && answer->complete ? 1.0 : reference_ ? reference_->share() : 0.0;
   note_text("reference", text);
   ImGui::ProgressBar(static_cast<float>(share), {-1.0f, 0.0f}, fmt::format("reference: {}", text).c_str());
@@ -110,18 +111,21 @@ void Sides::show_scores() const {
   row("false light, area", "%.2f %%", 100.0, [](const VisibilityError& e) { return e.false_light.area; });
   row("bias", "%+.4f", 1.0, [](const VisibilityError& e) { return e.bias; });
   ImGui::EndTable();
-  if (reference_->answer()) ImGui::TextDisabled("mean of the reference: +- %.4f", reference_->answer()->lights[light_].confidence);
+  if (reference_->answer())
+    ImGui::TextDisabled("mean of the reference: +- %.4f", reference_->answer()->lights[light_].confidence);
 }
 
 void Sides::show_divider() {
   if (choice_.second == SecondSide::none) return;
-  note_text("sides", fmt::format("{} | {}{}", names_[0], names_[1], choice_.flip_mode ? (choice_.flipped ? ", second" : ", first") : ""));
+  note_text("sides", fmt::format("{} | {}{}", names_[0], names_[1],
+                                 choice_.flip_mode ? (choice_.flipped ? ", second" : ", first") : ""));
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImDrawList* lines = ImGui::GetBackgroundDrawList();
   const auto label = [&](const std::string& text, float x, bool before) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 at(before ? x - size.x - 12.0f : x + 12.0f, screen.y - size.y - 10.0f);
-    lines->AddRectFilled({at.x - 4.0f, at.y - 2.0f}, {at.x + size.x + 4.0f, at.y + size.y + 2.0f}, IM_COL32(0, 0, 0, 170), 3.0f);
+    lines->AddRectFilled({at.x - 4.0f, at.y - 2.0f}, {at.x + size.x + 4.0f, at.y + size.y + 2.0f}, IM_COL32(0, 0, 0, 170),
+                         3.0f);
     lines->AddText(at, IM_COL32_WHITE, text.c_str());
   };
   if (choice_.flip_mode) {

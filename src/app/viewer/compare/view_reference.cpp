@@ -9,7 +9,9 @@ namespace {
 // A camera that moves starts nothing.
 constexpr int k_still_frames = 3;
 
-void add_bytes(std::vector<std::byte>& key, std::span<const std::byte> bytes) { key.insert(key.end(), bytes.begin(), bytes.end()); }
+void add_bytes(std::vector<std::byte>& key, std::span<const std::byte> bytes) {
+  key.insert(key.end(), bytes.begin(), bytes.end());
+}
 
 std::vector<std::byte> reference_key(Session& session) {
   std::vector<std::byte> key = view_key(session.frame());

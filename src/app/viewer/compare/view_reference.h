@@ -1,4 +1,5 @@
-// The reference of what the viewer shows: started when the view stands still, better with time, on the GPU as soon as it is there.
+// The reference of what the viewer shows: started when the view stands still, better with time, on the GPU as soon as it is
+// there.
 #pragma once
 
 #include "frame/shading/error_view.h"

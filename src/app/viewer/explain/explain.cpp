@@ -80,7 +80,8 @@ void Explain::show(Session& session, const TechniqueSet& techniques) {
     if (!open) place_.reset(), picked_.reset();
   }
   if (!options_.map_open) return;
-  map_pane_.show(techniques.techniques()[light_]->shadow_map(), name_among_several(session, light_), options_.map_layer, options_.map_open);
+  map_pane_.show(techniques.techniques()[light_]->shadow_map(), name_among_several(session, light_), options_.map_layer,
+                 options_.map_open);
 }
 
 void Explain::handle_keys(const Window& window) {
@@ -166,8 +167,8 @@ void Explain::show_marks(Session& session) {
   if (place_) crosshair(*place_ * screen_size());
   if (!options_.lines) return;
   const CameraData* cut = held_ ? &held_->camera : nullptr;
-  draw_light_lines(*ImGui::GetBackgroundDrawList(), session.frame().camera(), screen_size(), held_ ? held_->views : views_[0], cut,
-                   session.scene().bounds().radius());
+  draw_light_lines(*ImGui::GetBackgroundDrawList(), session.frame().camera(), screen_size(), held_ ? held_->views : views_[0],
+                   cut, session.scene().bounds().radius());
 }
 
 void Explain::check_map_layer(const TechniqueSpec& spec, const std::optional<ShadowMapView>& map) {
@@ -196,7 +197,8 @@ void Explain::record(Recorder& recorder, Session& session, const TechniqueSet& t
   const Technique& technique = *techniques.techniques()[light_];
   const auto map = technique.shadow_map();
   if (side == 0) check_map_layer(techniques.spec(light_), map);
-  if (options_.overlay != k_overlay_none) explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, options_.opacity);
+  if (options_.overlay != k_overlay_none)
+    explainer_.record_overlay(recorder, frame, light_, technique, options_.overlay, options_.opacity);
   if (picks_on(side)) explainer_.record_pick(recorder, frame, light_, technique, pixel(session));
   if ((side == 0 && options_.lines) || overlay_needs_map(options_.overlay)) explainer_.record_views(recorder, technique);
   if (side != 0) return;

@@ -17,12 +17,12 @@ namespace gnomon::viewer {
 // What the user has chosen to see.
 struct ExplainOptions {
   uint32_t overlay = k_overlay_none;
-  float opacity = 0.6f;       // of the overlay
-  bool lines = false;         // of the light's views
+  float opacity = 0.6f;  // of the overlay
+  bool lines = false;    // of the light's views
   bool map_open = false;
   uint32_t map_layer = 0;
   bool map_layer_given = false;  // it must exist, or else the next frame fails
-  std::optional<uvec2> pick;  // pixel of the picture, to be picked in the next frame
+  std::optional<uvec2> pick;     // pixel of the picture, to be picked in the next frame
 };
 
 // Reads --overlay ("layers", "layers,lines"), --pick ("120,80") and --map ("0"); empty: not given. Throws Error (usage), naming
@@ -43,10 +43,11 @@ class Explain {
   void show(Session& session, const TechniqueSet& techniques);
   // Crosshair and lines, which stay when the panels are hidden.
   void show_marks(Session& session);
-  // Before a frame is recorded. `divider`: share of the window's width that shows the first side; `explained`: whether a technique draws the
-  // rest, which is then explained, too.
+  // Before a frame is recorded. `divider`: share of the window's width that shows the first side; `explained`: whether a
+  // technique draws the rest, which is then explained, too.
   void set_sides(float divider, bool explained) { divider_ = divider, second_is_explained_ = explained; }
-  // Behind Session::record_frame of side 0 or 1: overlays on both, a pick on the side that shows it, lines and map of the first.
+  // Behind Session::record_frame of side 0 or 1: overlays on both, a pick on the side that shows it, lines and map of the
+  // first.
   void record(Recorder& recorder, Session& session, const TechniqueSet& techniques, size_t side);
   // Once the recorder has finished, while the session still shows that side.
   void collect(Session& session, const TechniqueSet& techniques, size_t side);
@@ -86,7 +87,7 @@ class Explain {
   std::optional<vec2> place_;  // picked, as a share of the picture: it stays where it is when the picture's size changes
   std::optional<Picked> picked_;
   std::array<std::vector<ShadowView>, 2> views_;  // of each side's last frame
-  std::optional<Held> held_;       // lines that stay while the camera leaves
+  std::optional<Held> held_;                      // lines that stay while the camera leaves
   std::unique_ptr<PointReference> reference_;
 };
 

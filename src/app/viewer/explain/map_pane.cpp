@@ -10,9 +10,9 @@
 #include <cstring>
 #include <utility>
 
-#include "app/viewer/window/interface.h"
 #include "app/viewer/panels/section.h"
 #include "app/viewer/status_file.h"
+#include "app/viewer/window/interface.h"
 #include "gpu/pipeline_target.h"
 
 namespace gnomon::viewer {
@@ -72,7 +72,8 @@ MapProbe MapPane::probe() const {
 void MapPane::show(const std::optional<ShadowMapView>& map, const std::string& light_name, uint32_t& layer, bool& open) {
   appear_at("map", places_on_screen().map);
   // The part behind ### is the window's identity, whatever light it shows.
-  shown_ = ImGui::Begin(fmt::format("shadow map{}{}###map", light_name.empty() ? "" : " of ", light_name).c_str(), &open) && map;
+  shown_ =
+      ImGui::Begin(fmt::format("shadow map{}{}###map", light_name.empty() ? "" : " of ", light_name).c_str(), &open) && map;
   if (!map) ImGui::TextDisabled("this technique has no map");
   if (shown_) {
     note_window("map_window");

@@ -24,7 +24,8 @@ class MapPane {
   // Of the shaders as they are now.
   void make_pipelines(VkRenderPass render_pass);
 
-  // Writes the window; `open` is set to false when the user closes it. `map`: of the last frame; `light_name`: whose, empty where there is one alone.
+  // Writes the window; `open` is set to false when the user closes it. `map`: of the last frame; `light_name`: whose, empty
+  // where there is one alone.
   void show(const std::optional<ShadowMapView>& map, const std::string& light_name, uint32_t& layer, bool& open);
   // Behind the technique's passes: the map of this frame is what will be drawn. nullopt: none.
   void record(Recorder& recorder, const std::optional<ShadowMapView>& map, uint32_t layer);

@@ -133,7 +133,9 @@ void show_pick_window(const Picked& picked, bool& open) {
   appear_at("pick", places_on_screen().pick);
   // The part behind ### is the window's identity, whatever pixel it shows.
   const SideText text = side_text(picked.side);
-  if (ImGui::Begin(fmt::format("pixel {}, {}: {}{}###pick", picked.pixel.x, picked.pixel.y, picked.technique, text.title).c_str(), &open)) {
+  if (ImGui::Begin(
+          fmt::format("pixel {}, {}: {}{}###pick", picked.pixel.x, picked.pixel.y, picked.technique, text.title).c_str(),
+          &open)) {
     note_text("picked_side", text.name);
     note_text("picked_technique", picked.technique);
     if (picked.side == PickedSide::reference) {

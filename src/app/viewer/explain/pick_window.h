@@ -10,14 +10,15 @@
 
 namespace gnomon::viewer {
 
-// Whose picture the pixel shows, where two sides are beside each other. Where that is the reference, the first side is explained.
+// Whose picture the pixel shows, where two sides are beside each other. Where that is the reference, the first side is
+// explained.
 enum class PickedSide { only, first, second, reference };
 
 // What is known of the picked pixel in the last frame.
 struct Picked {
   uvec2 pixel = uvec2(0);
   PickedSide side = PickedSide::only;
-  size_t light = 0;  // of the frame
+  size_t light = 0;        // of the frame
   std::string light_name;  // empty where the frame has no other
   PickFacts facts;
   Reason reason;

@@ -8,7 +8,8 @@ namespace gnomon::viewer {
 
 class LightGizmo {
  public:
-  // Draws below the panels. True when the user moved the chosen light, which is then changed. A click on another light chooses it.
+  // Draws below the panels. True when the user moved the chosen light, which is then changed. A click on another light chooses
+  // it.
   bool show(std::vector<ListedLight>& lights, size_t& chosen, const ScreenSpace& screen);
   // Whether the mouse is at a handle, or drags one: it then means nothing else.
   bool has_mouse() const { return hovered_ != Handle::none || dragged_ != Handle::none; }

@@ -114,7 +114,8 @@ void set_light(ViewState& state, std::span<const Light> in_force, size_t index, 
   const std::string old_name = parse_light(state.view.lights[index])->name;
   Light written = light.light;
   written.name = allowed_name(written.name, old_name);
-  if (written.name != old_name && names_of(state).contains(written.name)) fail_usage("light name '{}': another light has it", written.name);
+  if (written.name != old_name && names_of(state).contains(written.name))
+    fail_usage("light name '{}': another light has it", written.name);
   rename_settings(state, old_name, written.name);
   state.view.lights[index] = light_text(written, light.reach_m);
 }

@@ -1,5 +1,5 @@
-// The lights of a state as a list to edit. An untouched state leaves them to the scene and the light settings; the first edit writes
-// each out as text, as --light reads it, and what the light settings said is from then on in those texts.
+// The lights of a state as a list to edit. An untouched state leaves them to the scene and the light settings; the first edit
+// writes each out as text, as --light reads it, and what the light settings said is from then on in those texts.
 #pragma once
 
 #include <span>

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/viewer/status_file.h"
 #include "app/viewer/explain/surface_pick.h"
+#include "app/viewer/status_file.h"
 #include "lab/view/light_text.h"
 #include "scene/path.h"
 
@@ -123,16 +123,18 @@ bool LightPanel::edit_sun(Light& sun, const Session& session) {
   auto hour = static_cast<float>(nearest.hour);
   const auto minutes = static_cast<int>(60.0f * hour + 0.5f);
   const bool on_path = nearest.off < k_on_path;
-  const std::string clock = on_path ? fmt::format("{}:{:02}", minutes / 60, minutes % 60) : fmt::format("not on '{}'", path.name);
+  const std::string clock =
+      on_path ? fmt::format("{}:{:02}", minutes / 60, minutes % 60) : fmt::format("not on '{}'", path.name);
   const bool chosen =
       ImGui::SliderFloat("time of day", &hour, static_cast<float>(path.first_hour), static_cast<float>(path.last_hour),
                          clock.c_str(), ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
   note_widget("time_of_day");
   note_text("time_of_day", clock);
   if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip(on_path ? "on the sun path '%s', which also sets colour and intensity"
-                              : "this sun stands elsewhere; a drag puts it on the sun path '%s', which also sets colour and intensity",
-                      path.name.c_str());
+    ImGui::SetTooltip(
+        on_path ? "on the sun path '%s', which also sets colour and intensity"
+                : "this sun stands elsewhere; a drag puts it on the sun path '%s', which also sets colour and intensity",
+        path.name.c_str());
   }
   if (chosen) {
     const SunState state = sun_at(path, static_cast<double>(hour));

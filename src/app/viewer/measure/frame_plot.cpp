@@ -9,7 +9,8 @@
 namespace gnomon::viewer {
 namespace {
 
-constexpr ImU32 k_background = IM_COL32(20, 22, 26, 220), k_grid = IM_COL32(255, 255, 255, 40), k_text = IM_COL32(220, 220, 220, 255);
+constexpr ImU32 k_background = IM_COL32(20, 22, 26, 220), k_grid = IM_COL32(255, 255, 255, 40),
+                k_text = IM_COL32(220, 220, 220, 255);
 constexpr ImU32 k_whole_frame = IM_COL32(150, 160, 175, 255), k_hovered = IM_COL32(255, 255, 255, 60);
 
 // The next of 1, 2, 5, 10, 20, ... above a value, so that the scale seldom moves.
@@ -35,13 +36,16 @@ uint32_t FramePlot::colour(const std::string& pass) {
   return colours_[pass] = ImGui::ColorConvertFloat4ToU32({r, g, b, 1.0f});
 }
 
-void FramePlot::column(const Timings& timings, const FrameResult& frame, float left, float right, float bottom, float px_per_ms) {
+void FramePlot::column(const Timings& timings, const FrameResult& frame, float left, float right, float bottom,
+                       float px_per_ms) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (!timings.of_passes()) {
-    list.AddRectFilled({left, bottom - px_per_ms * static_cast<float>(timings.frame_ms(frame))}, {right, bottom}, k_whole_frame);
+    list.AddRectFilled({left, bottom - px_per_ms * static_cast<float>(timings.frame_ms(frame))}, {right, bottom},
+                       k_whole_frame);
     return;
   }
-  // What is thinner than half a pixel is drawn with the next: triangles that cover nothing cost as much as others on a CPU driver.
+  // What is thinner than half a pixel is drawn with the next: triangles that cover nothing cost as much as others on a CPU
+  // driver.
   double sum = 0.0;
   float drawn = 0.0f;
   for (size_t i = 0; i < frame.passes.size(); ++i) {
@@ -77,7 +81,8 @@ std::optional<size_t> FramePlot::show(const Timings& timings, float height) {
   for (const float part : {0.0f, 0.5f}) {
     const float y = from.y + part * height;
     list.AddLine({from.x, y}, {to.x, y}, k_grid);
-    list.AddText({from.x + 3.0f, y + 1.0f}, k_text, fmt::format("{:.4g} ms", top_ms * static_cast<double>(1.0f - part)).c_str());
+    list.AddText({from.x + 3.0f, y + 1.0f}, k_text,
+                 fmt::format("{:.4g} ms", top_ms * static_cast<double>(1.0f - part)).c_str());
   }
   if (!ImGui::IsItemHovered()) return std::nullopt;
   const float back = (to.x - ImGui::GetIO().MousePos.x) / step;

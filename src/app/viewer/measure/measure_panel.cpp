@@ -18,7 +18,8 @@ constexpr float k_plot_height = 110.0f;
 void swatch(uint32_t colour) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float size = ImGui::GetFontSize();
-  if (colour != 0) ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 3.0f}, {at.x + size - 6.0f, at.y + size - 3.0f}, colour);
+  if (colour != 0)
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 3.0f}, {at.x + size - 6.0f, at.y + size - 3.0f}, colour);
   ImGui::Dummy({size - 6.0f, size});
   ImGui::SameLine(0.0f, 5.0f);
 }
@@ -45,7 +46,8 @@ void MeasurePanel::show(Timings& timings, bool& separate_passes, Session& sessio
     ImGui::TextWrapped("the last %zu frames, ms; %s", timings.counted(), timings.clock());
     if (const auto hovered = plot_.show(timings, k_plot_height)) one_frame(timings, timings.frames()[*hovered]);
     update_rows(timings);
-    note_text("plot", fmt::format("{} frames, {} rows{}", timings.frames().size(), rows_.size(), timings.paused ? ", paused" : ""));
+    note_text("plot",
+              fmt::format("{} frames, {} rows{}", timings.frames().size(), rows_.size(), timings.paused ? ", paused" : ""));
     table();
     memory(session, techniques);
   }
@@ -64,10 +66,14 @@ void MeasurePanel::update_rows(const Timings& timings) {
     const Summary ms = timings.summary([&](const FrameResult& f) { return timings.pass_ms(f, i); });
     rows_.push_back({pass.name, help, plot_.colour(pass.name), ms, pass.draws, pass.triangles});
   }
-  const auto add = [&](const char* name, const char* help, auto value) { rows_.push_back({name, help, 0, timings.summary(value), 0, 0}); };
+  const auto add = [&](const char* name, const char* help, auto value) {
+    rows_.push_back({name, help, 0, timings.summary(value), 0, 0});
+  };
   if (timings.of_passes()) {
-    add("build", "passes that draw and convert maps", [&](const FrameResult& f) { return timings.stage_ms(f, PassStage::build); });
-    add("resolve", "passes that fill the visibility mask", [&](const FrameResult& f) { return timings.stage_ms(f, PassStage::resolve); });
+    add("build", "passes that draw and convert maps",
+        [&](const FrameResult& f) { return timings.stage_ms(f, PassStage::build); });
+    add("resolve", "passes that fill the visibility mask",
+        [&](const FrameResult& f) { return timings.stage_ms(f, PassStage::resolve); });
     add("sum of the passes", "", [&](const FrameResult& f) { return timings.sum_ms(f); });
   }
   if (!timings.of_software()) add("frame, GPU", timings.clock(), [&](const FrameResult& f) { return timings.frame_ms(f); });
@@ -107,7 +113,8 @@ void MeasurePanel::one_frame(const Timings& timings, const FrameResult& frame) {
 void MeasurePanel::memory(Session& session, const TechniqueSet& techniques) {
   const auto lights = session.frame().lights();
   for (size_t i = 0; i < lights.size(); ++i) {
-    ImGui::Text("%10s  %s (%s)", mib(techniques.memory_bytes(i)).c_str(), techniques.spec(i).name.c_str(), lights[i].name.c_str());
+    ImGui::Text("%10s  %s (%s)", mib(techniques.memory_bytes(i)).c_str(), techniques.spec(i).name.c_str(),
+                lights[i].name.c_str());
   }
   ImGui::Text("%10s  all buffers and images of the program", mib(session.device().allocated_bytes()).c_str());
 }

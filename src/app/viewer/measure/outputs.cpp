@@ -48,12 +48,14 @@ void Outputs::show_clip() {
   if (clip_.count() == 0) return;
   const size_t waiting = background_.waiting();
   note_text("clip", fmt::format("{}, {} waiting", clip_.running() ? "running" : "stopped", waiting));
-  ImGui::TextDisabled("%s: %u pictures, %.1f s; %zu to be written", clip_.folder().c_str(), clip_.count(), clip_.seconds(), waiting);
+  ImGui::TextDisabled("%s: %u pictures, %.1f s; %zu to be written", clip_.folder().c_str(), clip_.count(), clip_.seconds(),
+                      waiting);
 }
 
 void Outputs::show_comparison(const ViewState& next, const Session& session) {
   ImGui::Separator();
-  if (ImGui::Button("Add to comparison") && !comparison_.add(next)) message_ = "the comparison has this technique with these settings";
+  if (ImGui::Button("Add to comparison") && !comparison_.add(next))
+    message_ = "the comparison has this technique with these settings";
   note_widget("add_to_comparison");
   note_text("comparison", fmt::format("{} rows{}", comparison_.size(), comparison_.busy() ? ", busy" : ""));
   const auto& lights = session.chosen_lights();
@@ -80,7 +82,8 @@ void Outputs::show_comparison(const ViewState& next, const Session& session) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(150.0f);
   ImGui::InputText("folder##report", report_name_, sizeof report_name_);
-  if (!replaced_shaders().empty()) ImGui::TextWrapped("The report is of the shaders that were built, not of those changed since.");
+  if (!replaced_shaders().empty())
+    ImGui::TextWrapped("The report is of the shaders that were built, not of those changed since.");
   note_text("report", comparison_.report().string());
   if (!comparison_.report().empty()) ImGui::TextWrapped("%s", comparison_.report().c_str());
 }
@@ -108,7 +111,8 @@ void Outputs::update() {
 void Outputs::picture(const ViewState& state, Session& session, PictureContent content, Notices& notices) {
   const std::filesystem::path path = free_name("gnomon", std::exchange(wanted_, {}));
   const bool written = attempt(message_, [&] {
-    path.extension() == ".exr" ? write_exr(path, session.frame().read_linear()) : write_png(path, session.frame().read_display());
+    path.extension() == ".exr" ? write_exr(path, session.frame().read_linear())
+                               : write_png(path, session.frame().read_display());
   });
   if (!written) return;
   std::cout << path.string() << std::endl;

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "app/viewer/window/background.h"
-#include "app/viewer/measure/clip.h"
 #include "app/viewer/compare/comparison.h"
+#include "app/viewer/measure/clip.h"
 #include "app/viewer/notice.h"
+#include "app/viewer/window/background.h"
 
 namespace gnomon::viewer {
 
@@ -16,9 +16,11 @@ class Outputs {
 
   // A panel. `next`: what "add" collects and the report shows.
   void show(const ViewState& next, const Session& session);
-  // Of the picture without interface, in its own size: ".png" (display values) or ".exr" (scene-linear). In force after the frame.
+  // Of the picture without interface, in its own size: ".png" (display values) or ".exr" (scene-linear). In force after the
+  // frame.
   void want_picture(const std::string& extension) { wanted_ = extension; }
-  // After each frame: takes it where a picture or a clip wants it. A picture that is written is told in `notices`, with its `content`.
+  // After each frame: takes it where a picture or a clip wants it. A picture that is written is told in `notices`, with its
+  // `content`.
   void take(const ViewState& state, Session& session, const PictureContent& content, Notices& notices);
   // Goes on with a report, and learns what could not be written; also while the window is minimised.
   void update();

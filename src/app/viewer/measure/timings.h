@@ -13,7 +13,8 @@ class Timings {
  public:
   static constexpr size_t k_frames = 300;
 
-  // `software`: GPU timestamps lie there, and only the wall clock counts - of the frame, and of passes that are submitted alone.
+  // `software`: GPU timestamps lie there, and only the wall clock counts - of the frame, and of passes that are submitted
+  // alone.
   explicit Timings(bool software) : software_(software) {}
 
   void add(const FrameResult& frame);
@@ -27,7 +28,9 @@ class Timings {
   bool of_software() const { return software_; }
   // Passes apart, or of whole frames only?
   bool of_passes() const { return !frames_.empty() && (!software_ || alone()); }
-  double pass_ms(const FrameResult& frame, size_t pass) const { return alone() ? frame.passes[pass].wall_ms : frame.passes[pass].gpu_ms; }
+  double pass_ms(const FrameResult& frame, size_t pass) const {
+    return alone() ? frame.passes[pass].wall_ms : frame.passes[pass].gpu_ms;
+  }
   double stage_ms(const FrameResult& frame, PassStage stage) const;
   double sum_ms(const FrameResult& frame) const;
   // Of the whole frame, on the clock of the passes.

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "app/viewer/window/screen_space.h"
-#include "app/viewer/status_file.h"
 #include "app/viewer/explain/surface_pick.h"
+#include "app/viewer/status_file.h"
+#include "app/viewer/window/screen_space.h"
 
 namespace gnomon::viewer {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "app/viewer/panels/section.h"
-#include "app/viewer/status_file.h"
 #include "app/viewer/panels/technique_list.h"
+#include "app/viewer/status_file.h"
 
 namespace gnomon::viewer {
 namespace {
@@ -100,7 +100,8 @@ void Panels::technique(ViewState& state, Session& session, const TechniqueSet& t
   const TechniqueSpec& shown = techniques.spec(light_);
   ImGui::SetNextItemWidth(-1.0f);
   const LightKind kind = lights[light_].kind;
-  if (const TechniqueSpec* chosen = show_technique_list("##technique", "technique", &shown, kind)) state.choose_technique(*chosen, kind, lights);
+  if (const TechniqueSpec* chosen = show_technique_list("##technique", "technique", &shown, kind))
+    state.choose_technique(*chosen, kind, lights);
   if (ImGui::TreeNode("manual page")) {
     wrapped(shown.manual, 0.0f);
     ImGui::TreePop();
@@ -125,7 +126,8 @@ void Panels::samples(ViewState& state, const Session& session) {
   if (ImGui::BeginCombo("##samples", fmt::format("{}", session.options().samples).c_str())) {
     for (const int count : session.device().info().sample_counts) {
       const auto samples = static_cast<uint32_t>(count);
-      if (ImGui::Selectable(fmt::format("{}", count).c_str(), samples == session.options().samples)) state.view.samples = samples;
+      if (ImGui::Selectable(fmt::format("{}", count).c_str(), samples == session.options().samples))
+        state.view.samples = samples;
       note_widget("samples", fmt::format("{}", count));
     }
     ImGui::EndCombo();
@@ -138,7 +140,8 @@ void Panels::samples(ViewState& state, const Session& session) {
 
 void Panels::scene_params(ViewState& state, Session& session) {
   const auto& lights = session.chosen_lights();
-  const bool any_sun = std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
+  const bool any_sun =
+      std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.kind == LightKind::directional; });
   for (const char* id : {"light", "frame", "camera", "reference"}) {
     const ParamBlock& block = session.settings().block(id);
     // What the scene decides about its light and camera is where those started.

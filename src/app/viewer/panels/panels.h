@@ -12,9 +12,9 @@ struct Wishes {
   bool interface = true;
   bool vsync = true;
   bool separate_passes = false;
-  float scale = 1.0f;        // size of the picture, relative to the window's
-  bool adapt_size = true;    // `scale` follows the time that a frame takes
-  float target_ms = 40.0f;   // of a frame
+  float scale = 1.0f;       // size of the picture, relative to the window's
+  bool adapt_size = true;   // `scale` follows the time that a frame takes
+  float target_ms = 40.0f;  // of a frame
   // Of this frame only:
   bool screenshot = false, copy_command = false;
 };

@@ -22,14 +22,16 @@ void widget(const std::string& key, const ParamInfo& info, double& value) {
   switch (info.type) {
     case ParamType::float_: {
       float number = static_cast<float>(value);
-      if (ImGui::SliderFloat("##value", &number, static_cast<float>(info.min), static_cast<float>(info.max), "%.4g", slider_flags(info))) {
+      if (ImGui::SliderFloat("##value", &number, static_cast<float>(info.min), static_cast<float>(info.max), "%.4g",
+                             slider_flags(info))) {
         value = number;
       }
       break;
     }
     case ParamType::int_: {
       int number = static_cast<int>(value);
-      if (ImGui::SliderInt("##value", &number, static_cast<int>(info.min), static_cast<int>(info.max), "%d", slider_flags(info))) {
+      if (ImGui::SliderInt("##value", &number, static_cast<int>(info.min), static_cast<int>(info.max), "%d",
+                           slider_flags(info))) {
         value = number;
       }
       break;
@@ -55,10 +57,14 @@ void widget(const std::string& key, const ParamInfo& info, double& value) {
 
 std::string text_of(const ParamInfo& info, double value) {
   switch (info.type) {
-    case ParamType::float_: return fmt::format("{}", static_cast<float>(value));
-    case ParamType::int_: return fmt::format("{}", static_cast<int>(value));
-    case ParamType::bool_: return value != 0.0 ? "true" : "false";
-    case ParamType::choice: return std::string(info.choices[static_cast<size_t>(value)]);
+    case ParamType::float_:
+      return fmt::format("{}", static_cast<float>(value));
+    case ParamType::int_:
+      return fmt::format("{}", static_cast<int>(value));
+    case ParamType::bool_:
+      return value != 0.0 ? "true" : "false";
+    case ParamType::choice:
+      return std::string(info.choices[static_cast<size_t>(value)]);
   }
   return {};
 }
@@ -83,7 +89,8 @@ bool ParamEditor::found(const std::string& key, const ParamInfo& info) const {
   return key.find(search_) != key.npos || info.help.find(search_) != info.help.npos;
 }
 
-void ParamEditor::show(const std::string& id, const ParamBlock& block, const ParamBlock& starts, const Change& change, const Offers& offers) {
+void ParamEditor::show(const std::string& id, const ParamBlock& block, const ParamBlock& starts, const Change& change,
+                       const Offers& offers) {
   std::vector<const ParamInfo*> shown;
   for (const ParamInfo& info : block.table()) {
     if ((!offers || offers(info.name)) && found(fmt::format("{}.{}", id, info.name), info)) shown.push_back(&info);
@@ -113,9 +120,9 @@ void ParamEditor::row(const std::string& key, const ParamInfo& info, const Param
   }
   const auto tooltip = [&] {
     if (!ImGui::IsItemHovered()) return;
-    const std::string text = fmt::format("{}\n\n{}: {}; default {}{}", info.help, key, info.valid_text(),
-                                         ParamBlock(block.table()).text(info.name),
-                                         info.update == ParamUpdate::rebuild ? "; builds the technique again" : "");
+    const std::string text =
+        fmt::format("{}\n\n{}: {}; default {}{}", info.help, key, info.valid_text(), ParamBlock(block.table()).text(info.name),
+                    info.update == ParamUpdate::rebuild ? "; builds the technique again" : "");
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 30.0f);
     ImGui::TextUnformatted(text.c_str());

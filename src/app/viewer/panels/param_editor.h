@@ -18,13 +18,15 @@ class ParamEditor {
 
   void search_field();  // parameters that do not contain its text are left out
   // `starts`: the values that "reset" goes back to. Without `offers` all are offered.
-  void show(const std::string& id, const ParamBlock& block, const ParamBlock& starts, const Change& change, const Offers& offers = {});
+  void show(const std::string& id, const ParamBlock& block, const ParamBlock& starts, const Change& change,
+            const Offers& offers = {});
   // Behind all that was shown since search_field: says where none has been found.
   void end_search() const;
 
  private:
   bool found(const std::string& key, const ParamInfo& info) const;
-  void row(const std::string& key, const ParamInfo& info, const ParamBlock& block, const ParamBlock& starts, const Change& change);
+  void row(const std::string& key, const ParamInfo& info, const ParamBlock& block, const ParamBlock& starts,
+           const Change& change);
 
   char search_[64] = {};
   bool any_found_ = false;

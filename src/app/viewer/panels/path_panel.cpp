@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "app/viewer/lights/light_list.h"
 #include "app/viewer/camera/saved_cameras.h"
+#include "app/viewer/lights/light_list.h"
 #include "app/viewer/status_file.h"
 #include "base/error.h"
 #include "base/file.h"
@@ -25,7 +25,8 @@ bool show_playhead(const char* name, Playhead& head) {
     }
   }
   note_widget("play", name);
-  note_text(fmt::format("{}_path", name), fmt::format("{:.3f} of {:.3f} s{}", head.time_s, head.duration_s, head.playing ? ", plays" : ""));
+  note_text(fmt::format("{}_path", name),
+            fmt::format("{:.3f} of {:.3f} s{}", head.time_s, head.duration_s, head.playing ? ", plays" : ""));
   ImGui::SameLine();
   auto time = static_cast<float>(head.time_s);
   ImGui::SetNextItemWidth(-1.0f);
@@ -64,7 +65,8 @@ std::vector<std::string> names_of(const std::vector<SunMotion>& paths) {
 }
 
 auto first_sun(std::vector<ListedLight>& lights) {
-  return std::find_if(lights.begin(), lights.end(), [](const ListedLight& listed) { return listed.light.kind == LightKind::directional; });
+  return std::find_if(lights.begin(), lights.end(),
+                      [](const ListedLight& listed) { return listed.light.kind == LightKind::directional; });
 }
 
 const char* what_moves(const Recording& recording) {
@@ -190,8 +192,9 @@ void PathPanel::files() {
   if (ImGui::Button("save") && !own_.empty()) {
     if (std::filesystem::exists(file_)) fail_usage("{} exists; give another name", file_);
     write_file(file_, recording_text(own_.back()));
-    done_ = fmt::format("wrote {}: gnomon render --frames N{}{}", file_, own_.back().camera ? fmt::format(" --path {}", file_) : "",
-                        own_.back().sun ? fmt::format(" --sun-path {}", file_) : "");
+    done_ =
+        fmt::format("wrote {}: gnomon render --frames N{}{}", file_, own_.back().camera ? fmt::format(" --path {}", file_) : "",
+                    own_.back().sun ? fmt::format(" --sun-path {}", file_) : "");
   }
   note_widget("save_path");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("writes the last recorded or loaded paths");

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "app/viewer/status_file.h"
 #include "app/viewer/state/view_preset.h"
+#include "app/viewer/status_file.h"
 #include "base/file.h"
 
 namespace gnomon::viewer {

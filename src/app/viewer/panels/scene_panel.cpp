@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "app/viewer/status_file.h"
 #include "app/viewer/state/typed_scene.h"
+#include "app/viewer/status_file.h"
 #include "base/user_folder.h"
 #include "scene/load.h"
 
@@ -43,7 +43,8 @@ void box_in_the_middle(const std::function<void()>& content) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * screen.x, 0.5f * screen.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({0.6f * screen.x, 0.0f});
-  constexpr ImGuiWindowFlags k_plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing;
+  constexpr ImGuiWindowFlags k_plain =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing;
   if (ImGui::Begin("##progress", nullptr, k_plain)) {
     content();
   }

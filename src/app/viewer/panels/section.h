@@ -6,7 +6,8 @@
 namespace gnomon::viewer {
 
 WindowPlaces places_on_screen();
-// The next window, where it appears for the first time on a screen of that size: another size arranges it anew. `name`: of the window.
+// The next window, where it appears for the first time on a screen of that size: another size arranges it anew. `name`: of the
+// window.
 void appear_at(const char* name, const Place& place, bool folded = false);
 
 // True while the section is open; end_section follows in any case. `open_at_first`: before the user opened or closed it.

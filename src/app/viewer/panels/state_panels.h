@@ -1,8 +1,8 @@
 // The window at the right: undo, camera, lights, paths, presets; and what of them is drawn over the picture.
 #pragma once
 
-#include "app/viewer/panels/camera_panel.h"
 #include "app/viewer/lights/light_panel.h"
+#include "app/viewer/panels/camera_panel.h"
 #include "app/viewer/panels/path_panel.h"
 #include "app/viewer/panels/preset_panel.h"
 #include "app/viewer/state/scene_work.h"

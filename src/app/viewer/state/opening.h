@@ -20,7 +20,7 @@ class Opening {
   Opening& operator=(const Opening&) = delete;
 
   const std::string& scene_name() const { return state_.view.scene; }
-  std::string status() const;  // what is being done, and for how long
+  std::string status() const;                            // what is being done, and for how long
   double share() const { return watch_.state().share; }  // of that
 
   bool ready() const;

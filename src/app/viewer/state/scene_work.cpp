@@ -12,7 +12,8 @@ namespace {
 // The same for all names of one scene.
 std::string identity_of(const std::string& scene) {
   const auto builtins = builtin_scenes();
-  if (std::any_of(builtins.begin(), builtins.end(), [&](const BuiltinScene& builtin) { return builtin.name == scene; })) return scene;
+  if (std::any_of(builtins.begin(), builtins.end(), [&](const BuiltinScene& builtin) { return builtin.name == scene; }))
+    return scene;
   std::error_code failed;
   const std::filesystem::path path = std::filesystem::weakly_canonical(scene, failed);
   return failed ? scene : path.string();

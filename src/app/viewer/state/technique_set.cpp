@@ -42,7 +42,8 @@ const TechniqueSpec& required_technique(const std::vector<std::string>& names, c
   return *spec;
 }
 
-bool TechniqueSet::builds(std::span<const Light> lights, const std::vector<std::string>& names, const Settings& settings) const {
+bool TechniqueSet::builds(std::span<const Light> lights, const std::vector<std::string>& names,
+                          const Settings& settings) const {
   if (lights.size() != entries_.size()) return true;
   for (size_t i = 0; i < lights.size(); ++i) {
     const TechniqueSpec* spec = technique_for(names, lights[i].kind);

@@ -10,8 +10,8 @@ const TechniqueSpec& required_technique(const std::vector<std::string>& names, c
 
 class TechniqueSet {
  public:
-  // Builds again where a technique or a `rebuild` parameter changed; other changes take effect in the next frame. Throws Error where one
-  // cannot be built: the old ones then stay. Sides of maps are divided by `map_divisor`.
+  // Builds again where a technique or a `rebuild` parameter changed; other changes take effect in the next frame. Throws Error
+  // where one cannot be built: the old ones then stay. Sides of maps are divided by `map_divisor`.
   void update(Session& session, const std::vector<std::string>& names, uint32_t map_divisor = 1);
   // Whether update to these would build something, which takes a while.
   bool builds(std::span<const Light> lights, const std::vector<std::string>& names, const Settings& settings) const;

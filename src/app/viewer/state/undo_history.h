@@ -11,8 +11,9 @@ class UndoHistory {
  public:
   explicit UndoHistory(ViewState first, size_t limit = 200) : states_{std::move(first)}, limit_(limit) {}
 
-  // Once a frame, before `add`. A gesture lasts as long as `held`: a mouse button that is down. All that it changes of one thing (a
-  // slider, a light, the camera) is one step. A walk is one step too, although the keys are let go and pressed again on the way.
+  // Once a frame, before `add`. A gesture lasts as long as `held`: a mouse button that is down. All that it changes of one
+  // thing (a slider, a light, the camera) is one step. A walk is one step too, although the keys are let go and pressed again
+  // on the way.
   void tick(double now_s, bool held);
   // The state that is now shown. What a redo could have brought back is forgotten.
   void add(const ViewState& state);

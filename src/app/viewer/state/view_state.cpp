@@ -65,7 +65,8 @@ std::string ViewState::command(uvec2 size) const {
   return command;
 }
 
-std::vector<std::string> ViewState::words(const std::string& subcommand, const std::string& technique_option, uvec2 size) const {
+std::vector<std::string> ViewState::words(const std::string& subcommand, const std::string& technique_option,
+                                          uvec2 size) const {
   std::vector<std::string> words = {subcommand, view.scene, "--size", fmt::format("{}x{}", size.x, size.y)};
   const auto add_option = [&](const char* option, const std::string& value) { words.insert(words.end(), {option, value}); };
   if (view.samples != 1) add_option("--samples", std::to_string(view.samples));
@@ -75,9 +76,10 @@ std::vector<std::string> ViewState::words(const std::string& subcommand, const s
   const auto add = [&](const std::string& key, const std::string& value) {
     const std::string id = part_of(key);
     // What belongs to a technique that is no longer shown would be refused.
-    const bool used = !Settings::is_technique_part(id) || std::any_of(techniques.begin(), techniques.end(), [&](const std::string& name) {
-      return find_technique(name).default_settings().contains(id);
-    });
+    const bool used =
+        !Settings::is_technique_part(id) || std::any_of(techniques.begin(), techniques.end(), [&](const std::string& name) {
+          return find_technique(name).default_settings().contains(id);
+        });
     if (used) add_option("--set", key + "=" + value);
   };
   for (const std::string& assignment : base.assignments()) {
@@ -89,8 +91,8 @@ std::vector<std::string> ViewState::words(const std::string& subcommand, const s
 }
 
 bool ViewState::same_but_camera(const ViewState& other) const {
-  return view.lights == other.view.lights && view.samples == other.view.samples &&
-         techniques == other.techniques && edits == other.edits && base.assignments() == other.base.assignments();
+  return view.lights == other.view.lights && view.samples == other.view.samples && techniques == other.techniques &&
+         edits == other.edits && base.assignments() == other.base.assignments();
 }
 
 ViewState state_for_scene(const ViewState& state, const std::string& scene) {

@@ -28,7 +28,8 @@ struct ViewState {
   bool same_but_camera(const ViewState& other) const;
 };
 
-// The same technique and its settings on another scene: what belongs to the old scene (camera, lights, their settings) is left behind.
+// The same technique and its settings on another scene: what belongs to the old scene (camera, lights, their settings) is left
+// behind.
 ViewState state_for_scene(const ViewState& state, const std::string& scene);
 
 // "sun@pcf.size" -> "pcf"

@@ -1,14 +1,15 @@
-// What the user has made and chosen, and keeps when another scene takes the place of the shown one. The command line says how it begins.
+// What the user has made and chosen, and keeps when another scene takes the place of the shown one. The command line says how
+// it begins.
 #pragma once
 
+#include "app/viewer/compare/sides.h"
 #include "app/viewer/explain/explain.h"
-#include "app/viewer/notice.h"
 #include "app/viewer/measure/outputs.h"
+#include "app/viewer/notice.h"
 #include "app/viewer/panels/panels.h"
+#include "app/viewer/shader_reload.h"
 #include "app/viewer/state/recent_files.h"
 #include "app/viewer/state/scene_work.h"
-#include "app/viewer/shader_reload.h"
-#include "app/viewer/compare/sides.h"
 
 namespace gnomon::viewer {
 

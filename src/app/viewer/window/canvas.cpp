@@ -37,7 +37,8 @@ void Canvas::resize(uvec2 size, VkRenderPass render_pass) {
 
 void Canvas::release() noexcept {
   if (!framebuffer_) return;
-  device_.defer([device = device_.handle(), framebuffer = framebuffer_] { vkDestroyFramebuffer(device, framebuffer, nullptr); });
+  device_.defer(
+      [device = device_.handle(), framebuffer = framebuffer_] { vkDestroyFramebuffer(device, framebuffer, nullptr); });
   framebuffer_ = VK_NULL_HANDLE;
 }
 
@@ -54,7 +55,9 @@ void Canvas::record_picture(Recorder& recorder, const Frame& frame, size_t side)
 // The part of a picture that lies between two columns of the window.
 void Canvas::stretch(const Commands& commands, const Image& picture, uint32_t from_x, uint32_t to_x) const {
   const uvec2 from(picture.info().width, picture.info().height);
-  const auto picture_x = [&](uint32_t x) { return static_cast<int32_t>(std::lround(static_cast<double>(x) * from.x / size().x)); };
+  const auto picture_x = [&](uint32_t x) {
+    return static_cast<int32_t>(std::lround(static_cast<double>(x) * from.x / size().x));
+  };
   VkImageBlit region = {};
   region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   region.srcOffsets[0] = {picture_x(from_x), 0, 0};
@@ -101,12 +104,14 @@ Image8 Canvas::read() const {
   const Buffer staging(device_, "readback of the canvas", bytes, BufferMemory::readback);
   Recorder recorder(device_, TimingMode::play, false);
   recorder.begin();
-  recorder.pass("window/read", PassStage::other, {{image_, Use::copy_read}, {staging, Use::copy_write}}, [&](Commands& commands) {
-    VkBufferImageCopy region = {};
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageExtent = {size().x, size().y, 1};
-    vkCmdCopyImageToBuffer(commands.handle(), image_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.handle(), 1, &region);
-  });
+  recorder.pass("window/read", PassStage::other, {{image_, Use::copy_read}, {staging, Use::copy_write}},
+                [&](Commands& commands) {
+                  VkBufferImageCopy region = {};
+                  region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+                  region.imageExtent = {size().x, size().y, 1};
+                  vkCmdCopyImageToBuffer(commands.handle(), image_.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                         staging.handle(), 1, &region);
+                });
   recorder.finish();
   staging.invalidate();
   Image8 image(static_cast<int>(size().x), static_cast<int>(size().y));

@@ -1,4 +1,5 @@
-// What the window shows: one picture or two beside each other, stretched to the window's size, and the interface on top of them.
+// What the window shows: one picture or two beside each other, stretched to the window's size, and the interface on top of
+// them.
 #pragma once
 
 #include <array>

@@ -28,7 +28,8 @@ struct Background {
   ImU32 colour;
 };
 
-// The rectangle that a list of commands begins with, if it is one of a single opaque colour on whole pixels: a window's background.
+// The rectangle that a list of commands begins with, if it is one of a single opaque colour on whole pixels: a window's
+// background.
 std::optional<Background> background_of(const ImDrawList& list, const ImDrawData& data, uvec2 target) {
   constexpr unsigned k_indices = 6;
   if (list.CmdBuffer.empty() || list.CmdBuffer[0].UserCallback || list.CmdBuffer[0].ElemCount < k_indices) return std::nullopt;
@@ -39,8 +40,8 @@ std::optional<Background> background_of(const ImDrawList& list, const ImDrawData
   const ImVec2 white = ImGui::GetIO().Fonts->TexUvWhitePixel;
   for (unsigned i = 0; i < k_indices; ++i) {
     const ImDrawVert& corner = corners[indices[i]];
-    const bool on_corner =
-        (corner.pos.x == first.pos.x || corner.pos.x == opposite.pos.x) && (corner.pos.y == first.pos.y || corner.pos.y == opposite.pos.y);
+    const bool on_corner = (corner.pos.x == first.pos.x || corner.pos.x == opposite.pos.x) &&
+                           (corner.pos.y == first.pos.y || corner.pos.y == opposite.pos.y);
     if (!on_corner || corner.col != first.col || corner.uv.x != white.x || corner.uv.y != white.y) return std::nullopt;
   }
   if (first.col >> IM_COL32_A_SHIFT != 0xFF) return std::nullopt;
@@ -51,7 +52,8 @@ std::optional<Background> background_of(const ImDrawList& list, const ImDrawData
   if (glm::floor(min) != min || glm::floor(max) != max) return std::nullopt;
   const ivec2 from = glm::clamp(ivec2(min), ivec2(0), ivec2(target)), to = glm::clamp(ivec2(max), ivec2(0), ivec2(target));
   if (to.x <= from.x || to.y <= from.y) return std::nullopt;
-  return Background{{{from.x, from.y}, {static_cast<uint32_t>(to.x - from.x), static_cast<uint32_t>(to.y - from.y)}}, first.col};
+  return Background{{{from.x, from.y}, {static_cast<uint32_t>(to.x - from.x), static_cast<uint32_t>(to.y - from.y)}},
+                    first.col};
 }
 
 // Inside the render pass, in the place of the rectangle; its data is a Background.
@@ -64,8 +66,8 @@ void clear_background(const ImDrawList*, const ImDrawCmd* command) {
   vkCmdClearAttachments(static_cast<VkCommandBuffer>(ImGui::GetIO().UserData), 1, &clear, 1, &rect);
 }
 
-// Blending a window's whole background is most of what an interface costs on a CPU; clearing it costs little anywhere. What is returned must
-// last until the lists have been drawn.
+// Blending a window's whole background is most of what an interface costs on a CPU; clearing it costs little anywhere. What is
+// returned must last until the lists have been drawn.
 std::deque<Background> clear_backgrounds(ImDrawData& data, uvec2 target) {
   std::deque<Background> cleared;
   for (int i = 0; i < data.CmdListsCount; ++i) {

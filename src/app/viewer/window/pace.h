@@ -6,9 +6,9 @@
 
 namespace gnomon::viewer {
 
-// While something changes the picture has the size that is drawn in time (RenderScale). Once it rests it is drawn finer, once, and stays. The
-// size does not help where the maps alone take longer than a frame may (a CPU, moments, many lights). Such a view is slow:
-// while something changes its maps are smaller ones; once it rests it is drawn in full, and that picture stays.
+// While something changes the picture has the size that is drawn in time (RenderScale). Once it rests it is drawn finer, once,
+// and stays. The size does not help where the maps alone take longer than a frame may (a CPU, moments, many lights). Such a
+// view is slow: while something changes its maps are smaller ones; once it rests it is drawn in full, and that picture stays.
 class Pace {
  public:
   enum class Draws { full, small_maps, nothing };
@@ -27,11 +27,12 @@ class Pace {
   // Whether it is the picture that is to stay: as nothing hurries it, input may end it.
   bool draws_once() const { return current_ && last_ == Draws::full; }
   bool stays() const { return current_ && last_ == Draws::nothing; }  // it was drawn to its end
-  void done(float ms, float target_ms);  // it took so long
+  void done(float ms, float target_ms);                               // it took so long
   void give_up() { last_ = Draws::nothing, current_ = false; }
   // Whether the window shows a picture with maps in full size.
   bool shows_full() const { return current_ || last_ == Draws::full; }
-  // How long a frame took that had the device to itself, from input to picture. `exhausted`: another size of the picture would not help.
+  // How long a frame took that had the device to itself, from input to picture. `exhausted`: another size of the picture would
+  // not help.
   void add_frame(float ms, float target_ms, bool exhausted);
   // Smaller maps cannot be had: until the next forget, no view is slow.
   void refuse() { slow_ = false, refused_ = true; }
@@ -45,7 +46,7 @@ class Pace {
 
  private:
   static constexpr std::chrono::milliseconds k_rest{200};
-  static constexpr int k_frames = 4;           // that agree: one slow frame may be somebody else's doing
+  static constexpr int k_frames = 4;  // that agree: one slow frame may be somebody else's doing
   static constexpr uint32_t k_first_divisor = 4, k_last_divisor = 8;
 
   bool slow_ = false, refused_ = false;

@@ -6,7 +6,8 @@
 namespace gnomon::viewer {
 
 int RenderScale::step_of(float scale) {
-  return static_cast<int>(std::lround(static_cast<float>(k_steps_per_octave) * std::log2(std::clamp(scale, k_least_moving, k_most))));
+  return static_cast<int>(
+      std::lround(static_cast<float>(k_steps_per_octave) * std::log2(std::clamp(scale, k_least_moving, k_most))));
 }
 
 float RenderScale::scale_of(int step) { return std::exp2(static_cast<float>(step) / static_cast<float>(k_steps_per_octave)); }

@@ -5,9 +5,9 @@
 
 namespace gnomon::viewer {
 
-// A frame costs something per pixel, and something that no size changes (maps, interface). The size follows the measured times in
-// steps: down at once, up with hesitation, so that it comes to rest. Where the fixed part alone is near the target or over it, pixels
-// may take a third of what it takes: less would cost the picture and gain nothing.
+// A frame costs something per pixel, and something that no size changes (maps, interface). The size follows the measured times
+// in steps: down at once, up with hesitation, so that it comes to rest. Where the fixed part alone is near the target or over
+// it, pixels may take a third of what it takes: less would cost the picture and gain nothing.
 class RenderScale {
  public:
   static constexpr float k_least = 0.25f, k_most = 1.0f;
@@ -41,7 +41,7 @@ class RenderScale {
 
   float target_ms_;
   int least_ = step_of(k_least);
-  int step_;              // scale is 2^(step / k_steps_per_octave)
+  int step_;  // scale is 2^(step / k_steps_per_octave)
   // Of a frame, whatever its size: from the last two sizes. Below 0: not known yet.
   float fixed_ms_ = -1.0f;
   // The last size that was left, and its time; 0: none.

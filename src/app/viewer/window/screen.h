@@ -10,7 +10,8 @@
 namespace gnomon::viewer {
 
 struct Screen {
-  Screen(Window& shown_in, Device& on) : window(shown_in), device(on), interface(on, shown_in), canvas(on), swapchain(on, shown_in) {}
+  Screen(Window& shown_in, Device& on)
+      : window(shown_in), device(on), interface(on, shown_in), canvas(on), swapchain(on, shown_in) {}
 
   // The canvas in the window's size.
   void fit_canvas();

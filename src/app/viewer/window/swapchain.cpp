@@ -17,7 +17,8 @@ VkSurfaceFormatKHR choose_format(VkPhysicalDevice physical, VkSurfaceKHR surface
   uint32_t count = 0;
   vk_check(vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, nullptr), "vkGetPhysicalDeviceSurfaceFormatsKHR");
   std::vector<VkSurfaceFormatKHR> formats(count);
-  vk_check(vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, formats.data()), "vkGetPhysicalDeviceSurfaceFormatsKHR");
+  vk_check(vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, formats.data()),
+           "vkGetPhysicalDeviceSurfaceFormatsKHR");
   for (const VkFormat wanted : {k_window_format, VK_FORMAT_R8G8B8A8_UNORM}) {
     for (const VkSurfaceFormatKHR& format : formats) {
       if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) return format;
@@ -28,9 +29,11 @@ VkSurfaceFormatKHR choose_format(VkPhysicalDevice physical, VkSurfaceKHR surface
 
 VkPresentModeKHR choose_mode(VkPhysicalDevice physical, VkSurfaceKHR surface, bool vsync) {
   uint32_t count = 0;
-  vk_check(vkGetPhysicalDeviceSurfacePresentModesKHR(physical, surface, &count, nullptr), "vkGetPhysicalDeviceSurfacePresentModesKHR");
+  vk_check(vkGetPhysicalDeviceSurfacePresentModesKHR(physical, surface, &count, nullptr),
+           "vkGetPhysicalDeviceSurfacePresentModesKHR");
   std::vector<VkPresentModeKHR> modes(count);
-  vk_check(vkGetPhysicalDeviceSurfacePresentModesKHR(physical, surface, &count, modes.data()), "vkGetPhysicalDeviceSurfacePresentModesKHR");
+  vk_check(vkGetPhysicalDeviceSurfacePresentModesKHR(physical, surface, &count, modes.data()),
+           "vkGetPhysicalDeviceSurfacePresentModesKHR");
   for (const VkPresentModeKHR mode : {VK_PRESENT_MODE_MAILBOX_KHR, VK_PRESENT_MODE_IMMEDIATE_KHR}) {
     if (!vsync && std::find(modes.begin(), modes.end(), mode) != modes.end()) return mode;
   }
@@ -95,7 +98,8 @@ void Swapchain::set_vsync(bool on) {
 
 bool Swapchain::make() {
   VkSurfaceCapabilitiesKHR limits = {};
-  vk_check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &limits), "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
+  vk_check(vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &limits),
+           "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
   const uvec2 size = window_.size();
   extent_ = limits.currentExtent;
   if (extent_.width == UINT32_MAX) {  // the window takes the swapchain's size
@@ -143,7 +147,8 @@ bool Swapchain::acquire(uint32_t& index) {
   // The window may change its size between any two calls; after a few tries this picture is left out.
   for (int attempt = 0; attempt < 3; ++attempt) {
     if (stale_ && !make()) return false;
-    const VkResult result = vkAcquireNextImageKHR(device_.handle(), swapchain_, k_patience_ns, acquired_, VK_NULL_HANDLE, &index);
+    const VkResult result =
+        vkAcquireNextImageKHR(device_.handle(), swapchain_, k_patience_ns, acquired_, VK_NULL_HANDLE, &index);
     if (result == VK_TIMEOUT || result == VK_NOT_READY) return false;
     stale_ = result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR;
     if (result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR) return true;
@@ -158,23 +163,28 @@ void Swapchain::record_copy(const Image& picture, VkImage target) {
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   vk_check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
   // From the stage that the acquisition is waited for in.
-  const Transition to_copy = {true, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, 0,
-                              VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+  const Transition to_copy = {true,
+                              VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                              VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                              0,
+                              VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                              VK_IMAGE_LAYOUT_UNDEFINED,
+                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
   wait_for(commands_, {barrier_of(picture.handle(), advance(picture.state(), Use::copy_read)), barrier_of(target, to_copy)});
   const ImageInfo& from = picture.info();
   if (format_ == from.format && extent_.width == from.width && extent_.height == from.height) {
     VkImageCopy region = {};
     region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.extent = {from.width, from.height, 1};
-    vkCmdCopyImage(commands_, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
-                   &region);
+    vkCmdCopyImage(commands_, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
   } else {
     VkImageBlit region = {};
     region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.srcOffsets[1] = {static_cast<int32_t>(from.width), static_cast<int32_t>(from.height), 1};
     region.dstOffsets[1] = {static_cast<int32_t>(extent_.width), static_cast<int32_t>(extent_.height), 1};
-    vkCmdBlitImage(commands_, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
-                   &region, VK_FILTER_NEAREST);
+    vkCmdBlitImage(commands_, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
+                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, VK_FILTER_NEAREST);
   }
   wait_for(commands_, {barrier_of(target, {true, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                            VK_ACCESS_2_TRANSFER_WRITE_BIT, 0, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,

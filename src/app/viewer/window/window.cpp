@@ -38,8 +38,8 @@ Window::Window(uvec2 size, const std::string& title) {
   if (!window_) {
     const std::string reason = last_error();
     glfwTerminate();
-    fail_device("no window of {} x {} can be opened ({}); without a window use 'gnomon render' or 'gnomon compare'", size.x, size.y,
-                reason);
+    fail_device("no window of {} x {} can be opened ({}); without a window use 'gnomon render' or 'gnomon compare'", size.x,
+                size.y, reason);
   }
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {

@@ -32,8 +32,8 @@ class Window {
 
   // Takes what the user did since the last call; `wait` sleeps until there is something, 0.1 s at most.
   void poll(bool wait);
-  // Whether the user did something that the next poll will take; to be asked when this frame's keys have been read. A pointer that moves
-  // counts while a button is held.
+  // Whether the user did something that the next poll will take; to be asked when this frame's keys have been read. A pointer
+  // that moves counts while a button is held.
   bool has_input();
   // Since the last poll; keys are GLFW's.
   bool pressed(int key) const;

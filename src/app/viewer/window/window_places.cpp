@@ -25,7 +25,8 @@ WindowPlaces first_places(vec2 screen, float letter) {
   const float middle = places.panel.end().x + k_margin, room = end.x - middle;
   // Where there is little room they are narrower, where there is none the panel stands below their title.
   places.panel_folded = room < k_least_middle;
-  const float tools_width = places.panel_folded ? width(k_tools_width) : std::min(width(k_tools_width), room), tools_left = end.x - tools_width;
+  const float tools_width = places.panel_folded ? width(k_tools_width) : std::min(width(k_tools_width), room),
+              tools_left = end.x - tools_width;
   places.tools_folded = tools_left - k_margin - middle < k_least_middle;
   if (places.panel_folded) {
     const float shift = k_title * letter + k_margin;

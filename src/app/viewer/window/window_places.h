@@ -13,9 +13,9 @@ struct Place {
 
 struct WindowPlaces {
   Place panel;
-  bool panel_folded;   // where it would leave no picture
-  Place tools;         // with all its sections closed; they open downward
-  bool tools_folded;   // to their title, which leaves room for the others
+  bool panel_folded;  // where it would leave no picture
+  Place tools;        // with all its sections closed; they open downward
+  bool tools_folded;  // to their title, which leaves room for the others
   Place pick, map;
 };
 

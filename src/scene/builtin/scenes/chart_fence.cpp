@@ -49,10 +49,10 @@ static Scene make_chart_fence(const BuiltinOptions& options) {
 
 BuiltinScene builtin_scene_chart_fence() {
   return {"chart/fence", "Alpha-tested bars over a floor, with the exact visibility of every floor point.",
-   with_sun(50, 12,
-            {{"bars", 12, 1, 64, "Number of bars on four metres"},
-             {"gap", 0.2, 0.0, 5.0, "Height of the bars' lower end above the floor [m]"}}),
-   make_chart_fence};
+          with_sun(50, 12,
+                   {{"bars", 12, 1, 64, "Number of bars on four metres"},
+                    {"gap", 0.2, 0.0, 5.0, "Height of the bars' lower end above the floor [m]"}}),
+          make_chart_fence};
 }
 
 }  // namespace gnomon

@@ -19,7 +19,7 @@ static Scene make_chart_slab(const BuiltinOptions& options) {
 
 BuiltinScene builtin_scene_chart_slab() {
   return {"chart/slab", "A slab with a long straight edge over a floor, with the exact visibility of every floor point.",
-   with_sun(50, 12, {{"gap", 1.0, 0.01, 5.0, "Height of the slab's underside above the floor [m]"}}), make_chart_slab};
+          with_sun(50, 12, {{"gap", 1.0, 0.01, 5.0, "Height of the slab's underside above the floor [m]"}}), make_chart_slab};
 }
 
 }  // namespace gnomon

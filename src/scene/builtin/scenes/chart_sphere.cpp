@@ -21,10 +21,10 @@ static Scene make_chart_sphere(const BuiltinOptions& options) {
 
 BuiltinScene builtin_scene_chart_sphere() {
   return {"chart/sphere", "A sphere over a floor, with the exact visibility of every floor point.",
-   with_sun(50, 12,
-            {{"radius", 0.5, 0.05, 3.0, "Radius of the sphere [m]"},
-             {"height", 0.5, 0.0, 5.0, "Height of its lowest point above the floor [m]"}}),
-   make_chart_sphere};
+          with_sun(50, 12,
+                   {{"radius", 0.5, 0.05, 3.0, "Radius of the sphere [m]"},
+                    {"height", 0.5, 0.0, 5.0, "Height of its lowest point above the floor [m]"}}),
+          make_chart_sphere};
 }
 
 }  // namespace gnomon

@@ -299,9 +299,10 @@ static Scene make_hexworld(const BuiltinOptions& options) {
 
 BuiltinScene builtin_scene_hexworld() {
   return {"hexworld",
-   "Hexagonal columns with plants, a gorge, and a cave on whose walls the shadows of plants and rock overlap.",
-   {{"radius", 60, 8, 120, "Rings of columns around the middle"}, {"detail", 1.0, 0.05, 4.0, "Leaves as a fraction of those of the full world"}},
-   make_hexworld};
+          "Hexagonal columns with plants, a gorge, and a cave on whose walls the shadows of plants and rock overlap.",
+          {{"radius", 60, 8, 120, "Rings of columns around the middle"},
+           {"detail", 1.0, 0.05, 4.0, "Leaves as a fraction of those of the full world"}},
+          make_hexworld};
 }
 
 }  // namespace gnomon

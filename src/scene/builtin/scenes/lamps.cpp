@@ -264,7 +264,10 @@ static Scene make_lamps(const BuiltinOptions&) {
 }
 
 BuiltinScene builtin_scene_lamps() {
-  return {"lamps", "A closed room with a pendant lamp, a spot lamp behind a grating and the beam of a projector; no sun.", {}, make_lamps};
+  return {"lamps",
+          "A closed room with a pendant lamp, a spot lamp behind a grating and the beam of a projector; no sun.",
+          {},
+          make_lamps};
 }
 
 }  // namespace gnomon

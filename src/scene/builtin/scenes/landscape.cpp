@@ -199,9 +199,9 @@ static Scene make_landscape(const BuiltinOptions& options) {
 
 BuiltinScene builtin_scene_landscape() {
   return {"landscape",
-   "Four kilometres of hills with woods and houses under three suns, and the beam of a projector on a hamlet.",
-   {{"detail", 1.0, 0.02, 4.0, "Triangles of ground, leaves and roofs as a fraction of those of the full landscape"}},
-   make_landscape};
+          "Four kilometres of hills with woods and houses under three suns, and the beam of a projector on a hamlet.",
+          {{"detail", 1.0, 0.02, 4.0, "Triangles of ground, leaves and roofs as a fraction of those of the full landscape"}},
+          make_landscape};
 }
 
 }  // namespace gnomon

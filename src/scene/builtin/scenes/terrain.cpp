@@ -87,17 +87,23 @@ static Scene make_terrain(const BuiltinOptions& options) {
 
   scene.lights.push_back(sun_light("sun", vec3(0.72f, -0.50f, -0.22f), vec3(1.0f, 0.92f, 0.80f), 3.0f));
   scene.cameras.push_back(look_at("default", {-2.5f, 4.2f, 17.0f}, {2.0f, 3.3f, 0.0f}, 45.0));
-  const std::vector<CameraPose> walk = {{{-2.5f, 4.2f, 17.0f}, {2.0f, 3.3f, 0.0f}}, {{-9.0f, 4.0f, 11.5f}, {0.0f, 4.0f, 0.0f}}, {{-12.0f, 4.2f, 3.0f}, {0.0f, 4.5f, 0.0f}}, {{-9.0f, 4.0f, -5.0f}, {0.0f, 4.5f, 0.0f}}};
-  const std::vector<CameraPose> fly = {{{0.0f, 20.0f, 34.0f}, {0.0f, 3.0f, 0.0f}}, {{-28.0f, 18.0f, 18.0f}, {0.0f, 3.0f, 0.0f}}, {{-30.0f, 16.0f, -14.0f}, {0.0f, 3.0f, 0.0f}}, {{2.0f, 20.0f, -30.0f}, {0.0f, 3.0f, 0.0f}}};
+  const std::vector<CameraPose> walk = {{{-2.5f, 4.2f, 17.0f}, {2.0f, 3.3f, 0.0f}},
+                                        {{-9.0f, 4.0f, 11.5f}, {0.0f, 4.0f, 0.0f}},
+                                        {{-12.0f, 4.2f, 3.0f}, {0.0f, 4.5f, 0.0f}},
+                                        {{-9.0f, 4.0f, -5.0f}, {0.0f, 4.5f, 0.0f}}};
+  const std::vector<CameraPose> fly = {{{0.0f, 20.0f, 34.0f}, {0.0f, 3.0f, 0.0f}},
+                                       {{-28.0f, 18.0f, 18.0f}, {0.0f, 3.0f, 0.0f}},
+                                       {{-30.0f, 16.0f, -14.0f}, {0.0f, 3.0f, 0.0f}},
+                                       {{2.0f, 20.0f, -30.0f}, {0.0f, 3.0f, 0.0f}}};
   add_paths(scene, walk, fly);
   return scene;
 }
 
 BuiltinScene builtin_scene_terrain() {
   return {"terrain",
-   "A height map of 135 x 135 vertices and a sculpture of 1.3 million.",
-   {{"detail", 1.0, 0.001, 4.0, "Vertices of the sculpture as a fraction of 1.3 million"}},
-   make_terrain};
+          "A height map of 135 x 135 vertices and a sculpture of 1.3 million.",
+          {{"detail", 1.0, 0.001, 4.0, "Vertices of the sculpture as a fraction of 1.3 million"}},
+          make_terrain};
 }
 
 }  // namespace gnomon

@@ -1,6 +1,6 @@
 // One ray per visible surface point toward the light's centre, through the ray-tracing pipeline.
-// Cost: the acceleration structure (built once, static scene) and a ray per pixel. Fails: nothing but the emitter's size, which a
-// single ray cannot see: edges are hard.
+// Cost: the acceleration structure (built once, static scene) and a ray per pixel. Fails: nothing but the emitter's size, which
+// a single ray cannot see: edges are hard.
 #include "frame/rays/acceleration_structure.h"
 #include "shadow/registry.h"
 
@@ -11,7 +11,8 @@ namespace {
 
 constexpr const char* k_manual =
     "One ray per visible point toward the light's centre.\n"
-    "Exact for a light without size, on any geometry, alpha-tested casters included; edges are hard whatever the light's size.\n"
+    "Exact for a light without size, on any geometry, alpha-tested casters included; edges are hard whatever the light's "
+    "size.\n"
     "Needs a device with a ray-tracing pipeline. The acceleration structure of the static scene is built once and not part of\n"
     "the frame's cost.";
 
@@ -29,8 +30,8 @@ class RayTraced : public Technique {
       uint32_t light;
       float plane_extent;
     };
-    const Arguments arguments = {frame.data_address(), scene_.address(), frame.mask_address(light), static_cast<uint32_t>(light),
-                                 frame.scene().plane_extent()};
+    const Arguments arguments = {frame.data_address(), scene_.address(), frame.mask_address(light),
+                                 static_cast<uint32_t>(light), frame.scene().plane_extent()};
     std::vector<ResourceUse> uses = frame.surface_uses(Use::ray_read);
     uses.emplace_back(frame.mask(), Use::ray_write);
     recorder.pass(GNOMON_ID_TEXT "/trace", PassStage::resolve, uses, [&](Commands& commands) {
@@ -47,8 +48,13 @@ class RayTraced : public Technique {
 }  // namespace
 
 GNOMON_REGISTER(direct, Direct) {
-  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), {LightKind::directional, LightKind::point, LightKind::spot, LightKind::projector},
-          [](TechniqueContext& context, const ParamBlock&) -> std::unique_ptr<Technique> { return std::make_unique<RayTraced>(context); }};
+  return {GNOMON_ID_TEXT,
+          k_manual,
+          param_table_storage(),
+          {LightKind::directional, LightKind::point, LightKind::spot, LightKind::projector},
+          [](TechniqueContext& context, const ParamBlock&) -> std::unique_ptr<Technique> {
+            return std::make_unique<RayTraced>(context);
+          }};
 }
 
 }  // namespace gnomon

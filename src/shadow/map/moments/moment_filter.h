@@ -20,7 +20,9 @@ class MomentFilter : public Filter {
     map.mips = params_.mips != 0;
     moments_ = MomentMap(device, info, map);
   }
-  void record(Recorder& recorder, const DrawnMap& map) final { moments_.record(recorder, map, static_cast<uint32_t>(params_.blur), prefilter()); }
+  void record(Recorder& recorder, const DrawnMap& map) final {
+    moments_.record(recorder, map, static_cast<uint32_t>(params_.blur), prefilter());
+  }
   const Image& map(const DrawnMap&) const final { return moments_.image(); }
 
  protected:

@@ -22,7 +22,8 @@ void fill_weights(uint32_t radius, bool prefilter, float* weights) {
   std::vector<double> gaussian(2 * radius + 1, 1.0);
   for (uint32_t i = 1; i <= radius; ++i) {
     // C(6r, 3r + i) relative to C(6r, 3r).
-    gaussian[radius + i] = gaussian[radius - i] = gaussian[radius + i - 1] * double(3 * radius - i + 1) / double(3 * radius + i);
+    gaussian[radius + i] = gaussian[radius - i] =
+        gaussian[radius + i - 1] * double(3 * radius - i + 1) / double(3 * radius + i);
   }
   const double sum = std::accumulate(gaussian.begin(), gaussian.end(), 0.0);
   // The mean with the neighbour ahead, then the Gaussian: one kernel.
@@ -35,10 +36,13 @@ void fill_weights(uint32_t radius, bool prefilter, float* weights) {
 // With 16 bits a channel a blend never arrives: a twentieth of what is still missing rounds to nothing.
 VkFormat format_for_history(VkFormat format) {
   switch (format) {
-    case VK_FORMAT_R16G16_SFLOAT: return VK_FORMAT_R32G32_SFLOAT;
+    case VK_FORMAT_R16G16_SFLOAT:
+      return VK_FORMAT_R32G32_SFLOAT;
     case VK_FORMAT_R16G16B16A16_SFLOAT:
-    case VK_FORMAT_R16G16B16A16_UNORM: return VK_FORMAT_R32G32B32A32_SFLOAT;
-    default: return format;
+    case VK_FORMAT_R16G16B16A16_UNORM:
+      return VK_FORMAT_R32G32B32A32_SFLOAT;
+    default:
+      return format;
   }
 }
 
@@ -64,10 +68,12 @@ MomentMap::MomentMap(Device& device, const MapInfo& map, const MomentMapInfo& in
 }
 
 MomentMap::Shape MomentMap::shape(uint32_t radius, bool prefilter) const {
-  Shape shape = {.taps = 2 * radius + 1 + (prefilter ? 1 : 0), .before = radius, .columns = 1, .rows = 34, .share = 1, .threads = 128};
+  Shape shape = {
+      .taps = 2 * radius + 1 + (prefilter ? 1 : 0), .before = radius, .columns = 1, .rows = 34, .share = 1, .threads = 128};
   if (shape.taps == 1) shape.share = 0;
-  // Measured on an H200: 64 to 512 threads, 16 to 64 rows, 1 to 4 columns; with 34 rows the 1037 groups of a map of 2048 x 2048 fill its 132
-  // processors evenly. And on a CPU, with registers instead of shared memory; wider kernels would not stay in them.
+  // Measured on an H200: 64 to 512 threads, 16 to 64 rows, 1 to 4 columns; with 34 rows the 1037 groups of a map of 2048 x 2048
+  // fill its 132 processors evenly. And on a CPU, with registers instead of shared memory; wider kernels would not stay in
+  // them.
   if (device_->info().software && shape.taps <= 16) {
     shape.columns = 8;
     shape.rows = 64;
@@ -84,8 +90,14 @@ void MomentMap::record_history(Recorder& recorder, const DrawnMap& drawn) {
     float history;
   };
   const uint32_t size = image_.info().width;
-  const Arguments arguments = {drawn.views.address(), drawn.last_views->address(), drawn.params, drawn.depth.sampled(), image_.storage(),
-                               last_.sampled(), size, history_};
+  const Arguments arguments = {drawn.views.address(),
+                               drawn.last_views->address(),
+                               drawn.params,
+                               drawn.depth.sampled(),
+                               image_.storage(),
+                               last_.sampled(),
+                               size,
+                               history_};
   recorder.pass(name_ + "/temporal", PassStage::build,
                 {{drawn.depth, Use::compute_read},
                  {drawn.views, Use::compute_read},
@@ -104,18 +116,21 @@ void MomentMap::record(Recorder& recorder, const DrawnMap& drawn, uint32_t radiu
   if (history_ > 0.0f) std::swap(image_, last_);  // the older of the two is written over
   if (const Shape wanted = shape(radius, prefilter); !(wanted == shape_)) {
     shape_ = wanted;
-    convert_ = make_compute_pipeline(*device_, "convert/" + info_.filter + ".comp",
-                                     {info_.depth_samples, shape_.taps, shape_.before, shape_.columns, shape_.rows, shape_.share, shape_.threads});
+    convert_ = make_compute_pipeline(
+        *device_, "convert/" + info_.filter + ".comp",
+        {info_.depth_samples, shape_.taps, shape_.before, shape_.columns, shape_.rows, shape_.share, shape_.threads});
   }
   const uint32_t size = image_.info().width;
   ConvertArguments arguments = {drawn.views.address(), drawn.params, drawn.depth.sampled(), image_.storage(), size, {}};
   fill_weights(radius, prefilter, arguments.weights);
   recorder.pass(name_ + "/convert", PassStage::build,
-                {{drawn.depth, Use::compute_read}, {drawn.views, Use::compute_read}, {image_, Use::compute_write}}, [&](Commands& commands) {
+                {{drawn.depth, Use::compute_read}, {drawn.views, Use::compute_read}, {image_, Use::compute_write}},
+                [&](Commands& commands) {
                   commands.bind(convert_);
                   commands.push(arguments);
                   const uint32_t columns = shape_.columns_of_group();
-                  commands.dispatch(glm::uvec3((size + columns - 1) / columns, (size + shape_.rows - 1) / shape_.rows, image_.info().layers));
+                  commands.dispatch(
+                      glm::uvec3((size + columns - 1) / columns, (size + shape_.rows - 1) / shape_.rows, image_.info().layers));
                 });
   if (history_ > 0.0f && drawn.last_views) record_history(recorder, drawn);
   if (!info_.mips) return;

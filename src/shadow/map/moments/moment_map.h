@@ -6,11 +6,11 @@
 namespace gnomon {
 
 struct MomentMapInfo {
-  std::string filter;            // id: the kernel is convert/<filter>.comp
+  std::string filter;  // id: the kernel is convert/<filter>.comp
   VkFormat format = VK_FORMAT_R32_SFLOAT;
   uint32_t depth_samples = 1;
   bool mips = false;
-  bool logarithms = false;       // the image holds logarithms: mips average exponentials
+  bool logarithms = false;  // the image holds logarithms: mips average exponentials
 };
 
 class MomentMap {
@@ -22,8 +22,8 @@ class MomentMap {
   MomentMap(Device& device, const MapInfo& map, const MomentMapInfo& info);
 
   // radius 0: the encoded texels themselves. Gaussian weights are the middle 2 radius + 1 entries of row 6 radius of Pascal's
-  // triangle, normalised (radius 2: row 12). prefilter: a texel holds the mean of itself and its neighbours ahead (2 x 2), before the blur;
-  // the reader then looks half a texel back.
+  // triangle, normalised (radius 2: row 12). prefilter: a texel holds the mean of itself and its neighbours ahead (2 x 2),
+  // before the blur; the reader then looks half a texel back.
   void record(Recorder& recorder, const DrawnMap& drawn, uint32_t radius, bool prefilter);
   const Image& image() const { return image_; }
 

@@ -1,10 +1,10 @@
 // courtyard: the default scene. A Mediterranean court in the late afternoon with everything that strains a shadow technique:
 // thin bars, alpha-tested iron and leaves, contact at all angles, a hanging lantern, a tower whose shadow crosses the court.
 #include "scene/builtin/builtin.h"
-#include "scene/builtin/scenes/courtyard/courtyard_parts.h"
 #include "scene/builtin/parts/materials.h"
 #include "scene/builtin/parts/noise.h"
 #include "scene/builtin/parts/procedural_textures.h"
+#include "scene/builtin/scenes/courtyard/courtyard_parts.h"
 #include "scene/path.h"
 
 namespace gnomon {
@@ -20,7 +20,8 @@ CourtyardMaterials add_courtyard_materials(Scene& scene) {
   m.wood = add_material(scene, textured_material(scene, "wood", wood_texture(256)));
   m.bark = add_material(scene, textured_material(scene, "bark", bark_texture(256)));
   m.iron = add_material(scene, shiny(plain_material("iron", {0.03f, 0.027f, 0.025f}), 0.25f, 40.0f));
-  m.iron_panel = add_material(scene, shiny(cut_out_material(scene, "iron_panel", iron_panel_texture(512), Wrap::repeat), 0.2f, 40.0f));
+  m.iron_panel =
+      add_material(scene, shiny(cut_out_material(scene, "iron_panel", iron_panel_texture(512), Wrap::repeat), 0.2f, 40.0f));
   const TwigStyle olive{8, 0.44f, 0.085f, 0.85f, {0.52f, 0.56f, 0.40f}, {0.09f, 0.08f, 0.07f}, 21};
   m.olive = add_material(scene, cut_out_material(scene, "olive", twig_texture(256, olive), Wrap::clamp));
   const TwigStyle cypress{14, 0.40f, 0.055f, 0.45f, {0.25f, 0.35f, 0.19f}, {0.07f, 0.08f, 0.05f}, 22};
@@ -45,18 +46,25 @@ static Scene make_courtyard(const BuiltinOptions&) {
   scene.lights.push_back(sun_light("sun", vec3(0.62f, -0.48f, 0.62f), vec3(1.0f, 0.84f, 0.62f), 3.0f));
   scene.cameras.push_back(look_at("default", {-4.6f, 1.65f, 8.8f}, {0.9f, 1.75f, -2.0f}, 50.0));
   scene.cameras.push_back(look_at("detail", {3.2f, 1.15f, 4.5f}, {5.75f, 0.5f, 1.3f}, 45.0));
-  const std::vector<CameraPose> walk = {{{-4.6f, 1.65f, 8.8f}, {0.9f, 1.75f, -2.0f}}, {{-1.5f, 1.65f, 6.5f}, {1.5f, 1.5f, -1.0f}}, {{0.2f, 1.65f, 3.4f}, {5.7f, 1.2f, 0.0f}}, {{-1.2f, 1.65f, 1.2f}, {-5.5f, 1.8f, -0.5f}}};
-  const std::vector<CameraPose> fly = {{{-8.0f, 6.0f, 10.0f}, {0.0f, 1.0f, -2.0f}}, {{0.0f, 9.0f, 11.0f}, {0.0f, 1.0f, -2.0f}}, {{8.0f, 7.0f, 8.0f}, {0.0f, 1.0f, -2.0f}}, {{9.0f, 5.0f, 0.0f}, {0.0f, 1.0f, -3.0f}}};
+  const std::vector<CameraPose> walk = {{{-4.6f, 1.65f, 8.8f}, {0.9f, 1.75f, -2.0f}},
+                                        {{-1.5f, 1.65f, 6.5f}, {1.5f, 1.5f, -1.0f}},
+                                        {{0.2f, 1.65f, 3.4f}, {5.7f, 1.2f, 0.0f}},
+                                        {{-1.2f, 1.65f, 1.2f}, {-5.5f, 1.8f, -0.5f}}};
+  const std::vector<CameraPose> fly = {{{-8.0f, 6.0f, 10.0f}, {0.0f, 1.0f, -2.0f}},
+                                       {{0.0f, 9.0f, 11.0f}, {0.0f, 1.0f, -2.0f}},
+                                       {{8.0f, 7.0f, 8.0f}, {0.0f, 1.0f, -2.0f}},
+                                       {{9.0f, 5.0f, 0.0f}, {0.0f, 1.0f, -3.0f}}};
   add_paths(scene, walk, fly);
   return scene;
 }
 
 BuiltinScene builtin_scene_courtyard() {
-  return {"courtyard",
-   "A Mediterranean courtyard in the late afternoon: columns, iron fence, foliage, stairs and everything else that strains "
-   "shadows.",
-   {},
-   make_courtyard};
+  return {
+      "courtyard",
+      "A Mediterranean courtyard in the late afternoon: columns, iron fence, foliage, stairs and everything else that strains "
+      "shadows.",
+      {},
+      make_courtyard};
 }
 
 }  // namespace gnomon

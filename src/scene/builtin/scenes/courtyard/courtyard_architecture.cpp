@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "scene/builtin/scenes/courtyard/courtyard_parts.h"
 #include "scene/builtin/parts/noise.h"
+#include "scene/builtin/scenes/courtyard/courtyard_parts.h"
 
 namespace gnomon {
 namespace {

@@ -1,8 +1,8 @@
 // Iron, wood, pottery and carved stone that stand in the court.
 #include <vector>
 
-#include "scene/builtin/scenes/courtyard/courtyard_parts.h"
 #include "scene/builtin/parts/noise.h"
+#include "scene/builtin/scenes/courtyard/courtyard_parts.h"
 
 namespace gnomon {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/builtin/scenes/courtyard/courtyard_parts.h"
 #include "scene/builtin/parts/noise.h"
 #include "scene/builtin/parts/plants.h"
+#include "scene/builtin/scenes/courtyard/courtyard_parts.h"
 
 namespace gnomon {
 namespace {

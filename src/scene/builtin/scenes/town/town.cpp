@@ -301,10 +301,11 @@ static Scene make_town(const BuiltinOptions& options) {
 
 BuiltinScene builtin_scene_town() {
   return {"town",
-   "Streets to a far horizon: a thousand objects, most of them instances, and a million triangles; a tower behind the viewer casts "
-   "into the view.",
-   {{"detail", 1.0, 0.02, 4.0, "Triangles of roofs, leaves and ornaments as a fraction of those of the full town"}},
-   make_town};
+          "Streets to a far horizon: a thousand objects, most of them instances, and a million triangles; a tower behind the "
+          "viewer casts "
+          "into the view.",
+          {{"detail", 1.0, 0.02, 4.0, "Triangles of roofs, leaves and ornaments as a fraction of those of the full town"}},
+          make_town};
 }
 
 }  // namespace gnomon

@@ -1,6 +1,6 @@
-// Exponential shadow maps (Annen et al. 2008; Salvi 2008): the comparison of two depths becomes the product of two exponentials, one
-// of which is stored and blurred. Cost: one conversion pass over one channel and one texture read. Fails: near contact, where caster
-// and receiver are nearer than some 1/c, and where the kernel sees something beyond the receiver.
+// Exponential shadow maps (Annen et al. 2008; Salvi 2008): the comparison of two depths becomes the product of two
+// exponentials, one of which is stored and blurred. Cost: one conversion pass over one channel and one texture read. Fails:
+// near contact, where caster and receiver are nearer than some 1/c, and where the kernel sees something beyond the receiver.
 #include "shadow/map/moments/moment_filter.h"
 #include "shadow/registry.h"
 
@@ -11,11 +11,15 @@ namespace {
 
 constexpr const char* k_manual =
     "Exponential shadow map: lit = exp(-c d) times the blurred exp(c z), one channel.\n"
-    "Annen, Mertens, Seidel, Flerackers and Kautz 2008. No variance, so no bleeding where two shadows overlap; instead a shadow\n"
-    "fades in over 1/c behind its caster, and light leaks where the kernel reaches a surface behind the receiver. esm.c counts\n"
+    "Annen, Mertens, Seidel, Flerackers and Kautz 2008. No variance, so no bleeding where two shadows overlap; instead a "
+    "shadow\n"
+    "fades in over 1/c behind its caster, and light leaks where the kernel reaches a surface behind the receiver. esm.c "
+    "counts\n"
     "per range of the map's depths, or per metre (esm.unit): then the fade is as long in a scene of any size.\n"
-    "esm.space=log stores c z (Lauritzen 2008): any c is safe, reads average the exponentials of four texels themselves; mipmaps\n"
-    "and anisotropy (esm.mips) interpolate logarithms there, which darkens edges. esm.space=exponential stores exp(c z), for c up\n"
+    "esm.space=log stores c z (Lauritzen 2008): any c is safe, reads average the exponentials of four texels themselves; "
+    "mipmaps\n"
+    "and anisotropy (esm.mips) interpolate logarithms there, which darkens edges. esm.space=exponential stores exp(c z), for c "
+    "up\n"
     "to 160 per range. As published, c = 80 per range (esm.unit=range, esm.c=80): pre-filtered ESM with esm.blur=0,\n"
     "esm.prefilter=true; blurred ESM with esm.blur=2 (5 x 5). The default, 10 per metre, errs less in courtyard.";
 

@@ -1,6 +1,6 @@
-// Exponential variance shadow maps (Lauritzen and McCool 2008, "Layered Variance Shadow Maps"): moments of exponentially warped depth.
-// Cost: as vsm with twice the channels. Fails: less bleeding than vsm, the less the larger the exponents, which floats limit; with
-// 16-bit floats the exponents are so small that much of it remains.
+// Exponential variance shadow maps (Lauritzen and McCool 2008, "Layered Variance Shadow Maps"): moments of exponentially warped
+// depth. Cost: as vsm with twice the channels. Fails: less bleeding than vsm, the less the larger the exponents, which floats
+// limit; with 16-bit floats the exponents are so small that much of it remains.
 #include "shadow/map/moments/moment_filter.h"
 #include "shadow/registry.h"
 
@@ -11,7 +11,8 @@ namespace {
 
 constexpr const char* k_manual =
     "Exponential variance shadow map: Chebyshev's bound on exp(c z), and on -exp(-c z).\n"
-    "Lauritzen and McCool 2008. The positive warp squeezes the gap between occluders, so that a deeper shadow bleeds less than with\n"
+    "Lauritzen and McCool 2008. The positive warp squeezes the gap between occluders, so that a deeper shadow bleeds less than "
+    "with\n"
     "vsm; the negative one (evsm.moments=four) removes what the first lets through close to a caster. Exponents are limited\n"
     "by what a float can square: 42 with 32 bits, 5.54 with 16. As both go to zero evsm becomes vsm.";
 

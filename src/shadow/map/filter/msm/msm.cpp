@@ -1,6 +1,6 @@
-// Moment shadow maps (Peters and Klein 2015; transform and biases: Peters, Muenstermann, Wetzstein and Klein 2017): four moments of depth.
-// Cost: as vsm with twice the channels, at 16 bits each the same memory, and some forty operations more. Fails: three or more
-// layers of casters in one kernel bleed a little.
+// Moment shadow maps (Peters and Klein 2015; transform and biases: Peters, Muenstermann, Wetzstein and Klein 2017): four
+// moments of depth. Cost: as vsm with twice the channels, at 16 bits each the same memory, and some forty operations more.
+// Fails: three or more layers of casters in one kernel bleed a little.
 #include "shadow/map/moments/moment_filter.h"
 #include "shadow/registry.h"
 
@@ -12,7 +12,8 @@ namespace {
 constexpr const char* k_manual =
     "Moment shadow map: four moments of depth, and the sharpest bound that they allow (Hamburger).\n"
     "Peters and Klein 2015. Exact for any two depths in the kernel, where vsm is exact only for one caster before the\n"
-    "receiver's own plane. 64 bits for a texel (msm.format=unorm16) suffice through an affine transform of the moments (Peters et\n"
+    "receiver's own plane. 64 bits for a texel (msm.format=unorm16) suffice through an affine transform of the moments (Peters "
+    "et\n"
     "al. 2017). Rounded moments may belong to no distribution: msm.moment_bias moves them inside, at the price of some light.";
 
 class Msm : public MomentFilter<Params> {

@@ -1,6 +1,6 @@
 // Percentage-closer filtering (Reeves, Salesin and Cook 1987): the mean of many comparisons.
-// Cost: grid size^2 reads of 2x2 texels, optimised ((size + 1) / 2)^2, discs one for each tap. Fails: grey steps when taps are few, a
-// fixed blur where the true penumbra grows with distance, and a plane that the surface leaves within a wide kernel.
+// Cost: grid size^2 reads of 2x2 texels, optimised ((size + 1) / 2)^2, discs one for each tap. Fails: grey steps when taps are
+// few, a fixed blur where the true penumbra grows with distance, and a plane that the surface leaves within a wide kernel.
 #include <algorithm>
 
 #include "shadow/registry.h"
@@ -12,12 +12,18 @@ namespace {
 
 constexpr const char* k_manual =
     "The mean of many comparisons around the point.\n"
-    "Reeves, Salesin and Cook 1987. Each comparison is of 2x2 texels with bilinear weights (pcf.bilinear) or of a single texel, and\n"
-    "each texel is compared with the receiver's plane at its own place (bias.receiver_plane). pcf.kernel: grid makes size x size\n"
-    "comparisons; optimised gives the same result from ((size + 1) / 2)^2 reads, which are the sampler's own comparisons where there\n"
-    "is no plane to follow; poisson and vogel spread pcf.taps over a disc of pcf.radius, turned at each pixel (pcf.rotate), which\n"
-    "trades grey steps for noise. pcf.size=1 without bilinear is the hard filter. The blur is as wide everywhere, unlike a true\n"
-    "penumbra (pcss). A wide kernel over a curved or small receiver follows a plane that the surface has left: see bias.plane_limit.";
+    "Reeves, Salesin and Cook 1987. Each comparison is of 2x2 texels with bilinear weights (pcf.bilinear) or of a single "
+    "texel, and\n"
+    "each texel is compared with the receiver's plane at its own place (bias.receiver_plane). pcf.kernel: grid makes size x "
+    "size\n"
+    "comparisons; optimised gives the same result from ((size + 1) / 2)^2 reads, which are the sampler's own comparisons where "
+    "there\n"
+    "is no plane to follow; poisson and vogel spread pcf.taps over a disc of pcf.radius, turned at each pixel (pcf.rotate), "
+    "which\n"
+    "trades grey steps for noise. pcf.size=1 without bilinear is the hard filter. The blur is as wide everywhere, unlike a "
+    "true\n"
+    "penumbra (pcss). A wide kernel over a curved or small receiver follows a plane that the surface has left: see "
+    "bias.plane_limit.";
 
 class Pcf : public Filter {
  public:

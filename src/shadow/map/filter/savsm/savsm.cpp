@@ -1,6 +1,6 @@
-// Summed-area variance shadow maps (Lauritzen 2007, "Summed-Area Variance Shadow Maps", GPU Gems 3, chapter 8): a table of running sums
-// gives the moments of any rectangle at a constant number of reads. Cost: two passes over the map (rows, columns), 16 reads a point.
-// Fails: as vsm, and with a box instead of a Gaussian.
+// Summed-area variance shadow maps (Lauritzen 2007, "Summed-Area Variance Shadow Maps", GPU Gems 3, chapter 8): a table of
+// running sums gives the moments of any rectangle at a constant number of reads. Cost: two passes over the map (rows, columns),
+// 16 reads a point. Fails: as vsm, and with a box instead of a Gaussian.
 #include <array>
 
 #include "shadow/map/filter.h"
@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* k_manual =
     "Summed-area variance shadow map: mean and variance of depth over a square of any width, at constant cost.\n"
-    "Lauritzen 2007 (GPU Gems 3, chapter 8). Running sums of depth and of its square in 32-bit integers, which are exact however\n"
+    "Lauritzen 2007 (GPU Gems 3, chapter 8). Running sums of depth and of its square in 32-bit integers, which are exact "
+    "however\n"
     "large the map: sums wrap around, and only the square that is read must fit (savsm.width=3 leaves 27 bits for a texel,\n"
     "64 leaves 19). The edges of the square fall between texels, so the width is continuous. Light bleeds as with vsm.";
 
@@ -33,7 +34,8 @@ class Savsm : public Filter {
     table.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     table_ = Image(device, table);
     for (const uint32_t columns : {0u, 1u}) {
-      sums_[columns] = make_compute_pipeline(device, "shadow/map/filter/savsm/sum.comp", {columns, columns ? k_columns_at_once : 1u});
+      sums_[columns] =
+          make_compute_pipeline(device, "shadow/map/filter/savsm/sum.comp", {columns, columns ? k_columns_at_once : 1u});
     }
   }
   void record(Recorder& recorder, const DrawnMap& map) override {

@@ -1,5 +1,5 @@
-// Cascaded shadow maps (Engel 2006; Zhang et al. 2006, parallel-split shadow maps; Dimitrov 2007): the view is cut into slices, each
-// with a map of its own, so that texels grow with the distance from the viewer as pixels do.
+// Cascaded shadow maps (Engel 2006; Zhang et al. 2006, parallel-split shadow maps; Dimitrov 2007): the view is cut into slices,
+// each with a map of its own, so that texels grow with the distance from the viewer as pixels do.
 #include <algorithm>
 #include <cmath>
 
@@ -16,29 +16,35 @@ namespace {
 
 constexpr const char* k_manual =
     "Several maps, each of a slice of the view, so that texels grow with distance as pixels do.\n"
-    "Zhang et al. 2006; Dimitrov 2007. Slices end at uniform, logarithmic, mixed (cascaded.lambda) or given distances. fit=sphere with\n"
-    "stabilise keeps every edge still while the viewer moves; fit=box wastes fewer texels and shimmers. One depth pass for each\n"
+    "Zhang et al. 2006; Dimitrov 2007. Slices end at uniform, logarithmic, mixed (cascaded.lambda) or given distances. "
+    "fit=sphere with\n"
+    "stabilise keeps every edge still while the viewer moves; fit=box wastes fewer texels and shimmers. One depth pass for "
+    "each\n"
     "cascade, less what culling leaves out. Seams between cascades show where the filter's width jumps: raise cascaded.blend.\n"
-    "selection=map takes the finest map that holds a point, which is often finer than that of its distance. adapt ends the last map where\n"
-    "the last shadow can be seen (from boxes around groups of casters: a ground that casts counts), with as many maps as that needs.";
+    "selection=map takes the finest map that holds a point, which is often finer than that of its distance. adapt ends the "
+    "last map where\n"
+    "the last shadow can be seen (from boxes around groups of casters: a ground that casts counts), with as many maps as that "
+    "needs.";
 
 struct Sphere {
   vec3 centre;
   float radius;
 };
 
-// Of the view between two distances. From the numbers of the lens alone, so that it is the same bits wherever the camera stands.
+// Of the view between two distances. From the numbers of the lens alone, so that it is the same bits wherever the camera
+// stands.
 Sphere slice_sphere(const CameraData& camera, float from, float to) {
   const float kx = glm::dot(camera.right_ws, camera.right_ws), ky = glm::dot(camera.up_ws, camera.up_ws);
   const float k2 = kx + ky;  // of the tangent from the axis to a corner; orthographic: of the metres
-  if (camera.orthographic) return {camera.eye_ws + camera.forward_ws * (0.5f * (from + to)), std::sqrt(k2 + 0.25f * (to - from) * (to - from))};
+  if (camera.orthographic)
+    return {camera.eye_ws + camera.forward_ws * (0.5f * (from + to)), std::sqrt(k2 + 0.25f * (to - from) * (to - from))};
   const float centre = std::min(0.5f * (from + to) * (1.0f + k2), to);
   const float radius = std::sqrt((to - centre) * (to - centre) + to * to * k2);
   return {camera.eye_ws + camera.forward_ws * centre, radius};
 }
 
-// The next number with eight significant bits: multiples of it are exact in floats, and it is the same however the last bits of the
-// camera's axes fall.
+// The next number with eight significant bits: multiples of it are exact in floats, and it is the same however the last bits of
+// the camera's axes fall.
 float with_few_bits(float value) {
   int exponent = 0;
   const float mantissa = std::frexp(value * (1.0f + 1e-5f), &exponent);
@@ -61,9 +67,9 @@ class Cascaded : public Projection {
     const Splits splits = find_splits(frame, light, count);
     std::vector<ShadowView> views;
     for (uint32_t i = 0; i < count; ++i) {
-      ShadowView view = params_.warp != warp_none ? warped_slice(frame, light, splits[i], splits[i + 1])
+      ShadowView view = params_.warp != warp_none   ? warped_slice(frame, light, splits[i], splits[i + 1])
                         : params_.fit == fit_sphere ? sphere_view(frame, light_frame, bounds, splits[i], splits[i + 1])
-                                                  : box_view(frame, light, light_frame, bounds, splits[i], splits[i + 1]);
+                                                    : box_view(frame, light, light_frame, bounds, splits[i], splits[i + 1]);
       view.interval_m = vec2(i == 0 ? 0.0f : splits[i], splits[i + 1]);
       view.border = border();
       // As cascaded.glsl selects and blends.
@@ -92,9 +98,9 @@ class Cascaded : public Projection {
     return {std::max(camera.near_m, far * 1e-5f), far};
   }
 
-  // The farthest that a visible point can be shadowed: where the view meets what lies behind a group of casters, as the light sees it.
-  // Zhang et al. ask for the farthest visible caster; one outside the view may cast into it, and so it is the shadow that counts.
-  // Rounded up in steps of the square root of two, so that maps keep their size while the viewer moves a little.
+  // The farthest that a visible point can be shadowed: where the view meets what lies behind a group of casters, as the light
+  // sees it. Zhang et al. ask for the farthest visible caster; one outside the view may cast into it, and so it is the shadow
+  // that counts. Rounded up in steps of the square root of two, so that maps keep their size while the viewer moves a little.
   float needed_distance(const Frame& frame, const Light& light, float near, float far) const {
     const CameraData& camera = frame.camera();
     const Box& scene = frame.scene().bounds();
@@ -134,8 +140,9 @@ class Cascaded : public Projection {
     return in_steps(farthest);
   }
 
-  // The splits of the whole distance decide how many cascades this frame needs; these then share what is needed (Zhang et al. 2006,
-  // section 4.2). As few as leave no cascade longer than it is without adapt: under a mixed rule, one that ends in time is not enough.
+  // The splits of the whole distance decide how many cascades this frame needs; these then share what is needed (Zhang et al.
+  // 2006, section 4.2). As few as leave no cascade longer than it is without adapt: under a mixed rule, one that ends in time
+  // is not enough.
   Splits find_splits(const Frame& frame, const Light& light, uint32_t& count) const {
     const auto [near, far] = distance_range(frame);
     float needed = far;
@@ -161,14 +168,17 @@ class Cascaded : public Projection {
     if (i == 0) return near;
     if (i == count) return far;
     switch (params_.split) {
-      case split_uniform: return mixed_split(near, far, i, count, 0.0f);
-      case split_logarithmic: return mixed_split(near, far, i, count, 1.0f);
+      case split_uniform:
+        return mixed_split(near, far, i, count, 0.0f);
+      case split_logarithmic:
+        return mixed_split(near, far, i, count, 1.0f);
       case split_manual: {
         const float ends[] = {params_.split_1, params_.split_2, params_.split_3};
         const float end = near + (far - near) * ends[std::min(i, 3u) - 1];
         return i <= 3 ? end : mixed_split(end, far, i - 3, count - 3, 1.0f);
       }
-      default: return mixed_split(near, far, i, count, params_.lambda);
+      default:
+        return mixed_split(near, far, i, count, params_.lambda);
     }
   }
 
@@ -176,14 +186,15 @@ class Cascaded : public Projection {
     return params_.nested && params_.selection == selection_map && params_.warp == warp_none && params_.near == near_casters;
   }
 
-  // From the first caster, or from the slice: nearer casters are then clamped onto the map, or lost (near=slice). Under a projector
-  // nothing is clamped, because what would be clamped may stand behind the light.
+  // From the first caster, or from the slice: nearer casters are then clamped onto the map, or lost (near=slice). Under a
+  // projector nothing is clamped, because what would be clamped may stand behind the light.
   std::pair<float, float> depths(const Bounds& bounds, float slice_near, float slice_far) const {
     Box receivers = bounds.scene;
     // A cascade that serves a column alone serves all of it.
     if (!nested()) receivers.max.z = std::min(receivers.max.z, std::max(slice_far, bounds.scene.min.z));
     Box casters = bounds.casters;
-    if (params_.near == near_slice || (params_.near == near_clamp && !bounds.projector)) casters.min.z = std::max(casters.min.z, std::min(slice_near, receivers.max.z));
+    if (params_.near == near_slice || (params_.near == near_clamp && !bounds.projector))
+      casters.min.z = std::max(casters.min.z, std::min(slice_near, receivers.max.z));
     return depth_range(casters, receivers, bounds.start);
   }
 
@@ -193,7 +204,8 @@ class Cascaded : public Projection {
     const float size = static_cast<float>(params_.size);
     float half = sphere.radius * size / (size - 2.0f * border());
     if (params_.stabilise) {
-      // Whole texels of the world: the map's grid stays where it was (Valient 2008). Along the light too: depths keep their rounding.
+      // Whole texels of the world: the map's grid stays where it was (Valient 2008). Along the light too: depths keep their
+      // rounding.
       const float texel = with_few_bits(2.0f * half / size);
       half = 0.5f * texel * size;
       for (int axis = 0; axis < 3; ++axis) centre[axis] = std::round(centre[axis] / texel) * texel;
@@ -204,14 +216,18 @@ class Cascaded : public Projection {
     return orthographic_view(light_frame, fit, near, far, map_size());
   }
 
-  // A slice's ends differ little in distance: the formula holds without a guard, and the trapezoid's focus needs less than 80 %.
+  // A slice's ends differ little in distance: the formula holds without a guard, and the trapezoid's focus needs less than 80
+  // %.
   ShadowView warped_slice(const Frame& frame, const Light& light, float from, float to) const {
     const WarpFit fit = warp_fit(frame.camera(), light, frame.scene().caster_bounds(), frame.scene().bounds(), from, to);
     const bool perspective = params_.warp == warp_light_space_perspective;
-    return warped_view(fit, perspective ? light_space_perspective_distance(fit, 0.0f, 1.0f) : trapezoidal_distance(fit, 0.5f, 0.6f), map_size(), border());
+    return warped_view(fit,
+                       perspective ? light_space_perspective_distance(fit, 0.0f, 1.0f) : trapezoidal_distance(fit, 0.5f, 0.6f),
+                       map_size(), border());
   }
 
-  ShadowView box_view(const Frame& frame, const Light& light, const LightFrame& light_frame, const Bounds& bounds, float from, float to) const {
+  ShadowView box_view(const Frame& frame, const Light& light, const LightFrame& light_frame, const Bounds& bounds, float from,
+                      float to) const {
     Box fit;
     for (const vec3& corner : slice_corners(frame.camera(), from, to)) fit.add(light_frame.to_light(corner));
     const auto [near, far] = depths(bounds, fit.min.z, fit.max.z);
@@ -241,7 +257,10 @@ class Cascaded : public Projection {
 }  // namespace
 
 GNOMON_REGISTER(projection, Projection) {
-  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), {LightKind::directional, LightKind::projector},
+  return {GNOMON_ID_TEXT,
+          k_manual,
+          param_table_storage(),
+          {LightKind::directional, LightKind::projector},
           [](const ParamBlock& params) -> std::unique_ptr<Projection> { return std::make_unique<Cascaded>(params); }};
 }
 

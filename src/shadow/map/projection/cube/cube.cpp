@@ -1,5 +1,6 @@
-// Six perspective views around a point light (Gerasimov 2004, "Omnidirectional shadow mapping", GPU Gems). An array of six layers
-// rather than a cube image, so that every filter that reads arrays works; faces overlap by a border, so that no kernel sees a seam.
+// Six perspective views around a point light (Gerasimov 2004, "Omnidirectional shadow mapping", GPU Gems). An array of six
+// layers rather than a cube image, so that every filter that reads arrays works; faces overlap by a border, so that no kernel
+// sees a seam.
 #include <cmath>
 
 #include "shadow/map/light_views.h"
@@ -12,7 +13,8 @@ namespace {
 
 constexpr const char* k_manual =
     "Six maps around a point light, one for each face of a cube.\n"
-    "Gerasimov 2004. Six depth passes, less what culling leaves out. Texels are up to three times smaller in a face's corner than\n"
+    "Gerasimov 2004. Six depth passes, less what culling leaves out. Texels are up to three times smaller in a face's corner "
+    "than\n"
     "in its middle. Faces overlap by cube.border texels, so that kernels up to that radius meet no seam.";
 
 class Cube : public Projection {
@@ -45,7 +47,10 @@ class Cube : public Projection {
 }  // namespace
 
 GNOMON_REGISTER(projection, Projection) {
-  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), {LightKind::point},
+  return {GNOMON_ID_TEXT,
+          k_manual,
+          param_table_storage(),
+          {LightKind::point},
           [](const ParamBlock& params) -> std::unique_ptr<Projection> { return std::make_unique<Cube>(params); }};
 }
 

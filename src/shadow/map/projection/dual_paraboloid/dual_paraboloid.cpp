@@ -1,10 +1,11 @@
-// Two paraboloid views around a point light, one for each half of all directions (Brabec, Annen and Seidel 2002, "Shadow mapping for
-// hemispherical and omnidirectional light sources"). A point at distance d with axis component z falls on (x, y) / (d + z): a disc
-// whose texels see solid angles that differ by four at most, rim to middle; depth is the distance.
-// Cost: two depth passes instead of a cube's six. Fails: the map of a straight edge is an arc, which a rasteriser draws as its chord:
-// with triangles=bent, triangles that are large as seen from the light cast displaced shadows and shadow themselves. triangles=exact
-// draws the box around each triangle's true outline and intersects every texel's ray (after Gascuel et al. 2008, "Fast non-linear
-// projections using graphics hardware"): right for all triangles, for more fragments and without early depth tests.
+// Two paraboloid views around a point light, one for each half of all directions (Brabec, Annen and Seidel 2002, "Shadow
+// mapping for hemispherical and omnidirectional light sources"). A point at distance d with axis component z falls on (x, y) /
+// (d + z): a disc whose texels see solid angles that differ by four at most, rim to middle; depth is the distance. Cost: two
+// depth passes instead of a cube's six. Fails: the map of a straight edge is an arc, which a rasteriser draws as its chord:
+// with triangles=bent, triangles that are large as seen from the light cast displaced shadows and shadow themselves.
+// triangles=exact draws the box around each triangle's true outline and intersects every texel's ray (after Gascuel et al.
+// 2008, "Fast non-linear projections using graphics hardware"): right for all triangles, for more fragments and without early
+// depth tests.
 #include <algorithm>
 
 #include "shadow/map/light_views.h"
@@ -17,10 +18,14 @@ namespace {
 
 constexpr const char* k_manual =
     "Two maps around a point light, each of half of all directions on a disc.\n"
-    "Brabec, Annen, Seidel 2002. Two depth passes instead of six. A straight edge is an arc on the disc; rasterisers draw its chord.\n"
-    "triangles=bent does so: coarse triangles cast displaced shadows, and shadow themselves where they sag. triangles=exact (Gascuel\n"
-    "et al. 2008) intersects each texel's ray with the triangle, in the box around its true outline, and costs fragments instead.\n"
-    "Texels are twice as large, as angles, in the middle of a half as at its rim, and the corners of the square hold directions that only the other map is asked for.";
+    "Brabec, Annen, Seidel 2002. Two depth passes instead of six. A straight edge is an arc on the disc; rasterisers draw its "
+    "chord.\n"
+    "triangles=bent does so: coarse triangles cast displaced shadows, and shadow themselves where they sag. triangles=exact "
+    "(Gascuel\n"
+    "et al. 2008) intersects each texel's ray with the triangle, in the box around its true outline, and costs fragments "
+    "instead.\n"
+    "Texels are twice as large, as angles, in the middle of a half as at its rim, and the corners of the square hold "
+    "directions that only the other map is asked for.";
 
 class DualParaboloid : public Projection {
  public:
@@ -78,7 +83,10 @@ class DualParaboloid : public Projection {
 }  // namespace
 
 GNOMON_REGISTER(projection, Projection) {
-  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), {LightKind::point},
+  return {GNOMON_ID_TEXT,
+          k_manual,
+          param_table_storage(),
+          {LightKind::point},
           [](const ParamBlock& params) -> std::unique_ptr<Projection> { return std::make_unique<DualParaboloid>(params); }};
 }
 

@@ -1,8 +1,8 @@
-// Sample distribution shadow maps (Lauritzen, Salvi and Lefohn 2011): where the maps go is read from the picture itself. A reduction
-// over the surface buffer finds the nearest and the farthest visible sample; logarithmic splits between them; a second reduction finds
-// the light-space box of each split's samples. Everything stays on the GPU: no read-back, no frame of delay.
-// Cost: two reads of the surface buffer beside a cascade's passes, and maps that cannot be kept between frames. Fails: maps move with
-// every visible sample, so edges crawl when the viewer does; one far sample widens the last split.
+// Sample distribution shadow maps (Lauritzen, Salvi and Lefohn 2011): where the maps go is read from the picture itself. A
+// reduction over the surface buffer finds the nearest and the farthest visible sample; logarithmic splits between them; a
+// second reduction finds the light-space box of each split's samples. Everything stays on the GPU: no read-back, no frame of
+// delay. Cost: two reads of the surface buffer beside a cascade's passes, and maps that cannot be kept between frames. Fails:
+// maps move with every visible sample, so edges crawl when the viewer does; one far sample widens the last split.
 #include <algorithm>
 
 #include "gpu/pipeline.h"
@@ -18,9 +18,12 @@ namespace {
 
 constexpr const char* k_manual =
     "Cascades fitted to the samples that are visible, found on the GPU.\n"
-    "Lauritzen, Salvi, Lefohn 2011. Splits in equal ratios between the nearest and the farthest sample; each map is the tight box of\n"
-    "its split's samples that face the light. Far finer texels than cascades where walls or hills hide most of the view. Two reads of\n"
-    "the surface buffer more than cascades; maps move with what is visible, so edges crawl while the viewer moves, and nothing can be\n"
+    "Lauritzen, Salvi, Lefohn 2011. Splits in equal ratios between the nearest and the farthest sample; each map is the tight "
+    "box of\n"
+    "its split's samples that face the light. Far finer texels than cascades where walls or hills hide most of the view. Two "
+    "reads of\n"
+    "the surface buffer more than cascades; maps move with what is visible, so edges crawl while the viewer moves, and nothing "
+    "can be\n"
     "kept between frames.";
 
 constexpr uint32_t k_stages = 4;  // reset, depths, boxes, views
@@ -38,7 +41,8 @@ class SampleDistribution : public Projection {
   std::vector<ShadowView> views(const Frame& frame, const Light& light) const override {
     const LightFrame light_frame(light.direction);
     const Box scene = light_frame.bounds(frame.scene().bounds());
-    const auto [near, far] = depth_range(light_frame.bounds(frame.scene().caster_bounds()), scene, light_start(light_frame, light));
+    const auto [near, far] =
+        depth_range(light_frame.bounds(frame.scene().caster_bounds()), scene, light_start(light_frame, light));
     return std::vector<ShadowView>(layers(), orthographic_view(light_frame, scene, near, far, map_size()));
   }
 
@@ -66,7 +70,8 @@ class SampleDistribution : public Projection {
     input_ = Buffer(device, GNOMON_ID_TEXT " input", sizeof(SampleDistributionInput), BufferMemory::upload);
     state_ = Buffer(device, GNOMON_ID_TEXT " state", sizeof(SampleDistributionState));
     for (uint32_t stage = 0; stage < k_stages; ++stage) {
-      pipelines_[stage] = make_compute_pipeline(device, "shadow/map/projection/sample_distribution/sample_distribution.comp", {stage});
+      pipelines_[stage] =
+          make_compute_pipeline(device, "shadow/map/projection/sample_distribution/sample_distribution.comp", {stage});
     }
   }
 
@@ -96,7 +101,10 @@ class SampleDistribution : public Projection {
 }  // namespace
 
 GNOMON_REGISTER(projection, Projection) {
-  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), {LightKind::directional, LightKind::projector},
+  return {GNOMON_ID_TEXT,
+          k_manual,
+          param_table_storage(),
+          {LightKind::directional, LightKind::projector},
           [](const ParamBlock& params) -> std::unique_ptr<Projection> { return std::make_unique<SampleDistribution>(params); }};
 }
 

@@ -15,7 +15,8 @@ namespace {
 constexpr const char* k_manual =
     "One depth map of the whole scene, or of what the camera sees of it.\n"
     "Williams 1978. The light's orthographic view is fitted to the casters (fit=scene) or to the part of the view that holds\n"
-    "geometry (fit=view); under a projector to its beam, under a spot light to its cone. One depth pass. Texels are equally large everywhere, so edges near the camera show steps: raise\n"
+    "geometry (fit=view); under a projector to its beam, under a spot light to its cone. One depth pass. Texels are equally "
+    "large everywhere, so edges near the camera show steps: raise\n"
     "single.size, or use a cascaded projection.";
 
 class Single : public Projection {
@@ -65,7 +66,10 @@ class Single : public Projection {
 }  // namespace
 
 GNOMON_REGISTER(projection, Projection) {
-  return {GNOMON_ID_TEXT, k_manual, param_table_storage(), {LightKind::directional, LightKind::spot, LightKind::projector},
+  return {GNOMON_ID_TEXT,
+          k_manual,
+          param_table_storage(),
+          {LightKind::directional, LightKind::spot, LightKind::projector},
           [](const ParamBlock& params) -> std::unique_ptr<Projection> { return std::make_unique<Single>(params); }};
 }
 
