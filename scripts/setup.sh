@@ -47,6 +47,7 @@ packages=(
   "libjs-chart.js|charts of the report"
   "libgtest-dev|tests"
   "libbenchmark-dev|benchmarks"
+  "clang-format|a test that holds the formatting"
   "python3|scripts and tests"
 )
 . /etc/os-release
@@ -62,7 +63,7 @@ fi
 # The run-time of libFuzzer and the sanitizers carries the version of the distribution's clang in its name.
 case ${VERSION_CODENAME:-} in trixie) clang=19 ;; noble) clang=18 ;; *) clang=14 ;; esac
 if ((tools)); then
-  packages+=("clang|fuzz and tidy presets" "clang-tidy|tidy preset" "clang-format|formatting" "pngquant|small pictures in the documents"
+  packages+=("clang|fuzz and tidy presets" "clang-tidy|tidy preset" "pngquant|small pictures in the documents"
              "libclang-rt-$clang-dev|libFuzzer and sanitizer run-time")
 fi
 

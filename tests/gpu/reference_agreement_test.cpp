@@ -4,6 +4,7 @@
 
 #include "lab/experiment/reference_set.h"
 #include "reference/pipeline_reference.h"
+#include "support/paths.h"
 #include "support/scenes.h"
 #include "support/view.h"
 
@@ -63,7 +64,7 @@ TEST(ReferenceAgreement, Courtyard) { expect_agreement("courtyard", load_scene("
 TEST(ReferenceAgreement, Terrain) { expect_agreement("terrain", load_scene("terrain", {{"detail", 0.01}})); }
 
 TEST(ReferenceAgreement, AlphaTestedObj) {
-  const std::filesystem::path path = std::filesystem::path(GNOMON_SHARED_SCENES) / "alpha_obj/bonsai-tree/bonsai-tree.obj";
+  const std::filesystem::path path = shared_scenes() / "alpha_obj/bonsai-tree/bonsai-tree.obj";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not on this machine";
   expect_agreement("bonsai-tree.obj", load_scene(path.string()));
 }

@@ -5,11 +5,12 @@
 
 #include "base/file.h"
 #include "base/temporary_folder.h"
+#include "support/paths.h"
 
 namespace gnomon {
 namespace {
 
-const std::filesystem::path k_src = std::filesystem::path(GNOMON_SOURCE_DIR) / "src";
+const std::filesystem::path k_src = source_dir() / "src";
 
 TEST(ShaderSources, AKernelIsItsTemplateWithTheNamesOfItsTechnique) {
   ShaderSources sources(k_src);

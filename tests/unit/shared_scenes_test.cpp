@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "scene/load.h"
 #include "scene_files.h"
+#include "support/paths.h"
 
 namespace gnomon {
 namespace {
@@ -21,7 +22,7 @@ class SharedScenes : public ::testing::Test {
   }
   Scene load(const std::string& path) const { return load_scene((folder_ / path).string()); }
 
-  const fs::path folder_ = GNOMON_SHARED_SCENES;
+  const fs::path folder_ = shared_scenes();
 };
 
 size_t masked_count(const Scene& scene) {
