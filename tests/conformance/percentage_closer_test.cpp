@@ -55,8 +55,10 @@ TEST(PercentageCloser, OptimisedKernelEqualsTheGrid) {
   View& view = courtyard(0.0f);
   // One technique for all: on a software device making one takes longer than running it.
   const auto& spec = find_technique("single/pcf");
-  const auto technique = spec.make(view.context(), spec.default_settings());
-  const auto mask_with = [&](const Assignments& assignments) {
+  const std::string map_size = "single.size=512";
+  const auto technique = spec.make(view.context(), settings_of(spec, {map_size}));
+  const auto mask_with = [&](Assignments assignments) {
+    assignments.push_back(map_size);
     technique->set(settings_of(spec, assignments));
     test::run_passes([&](Recorder& recorder) {
       view.frame().record_surface(recorder);

@@ -12,7 +12,7 @@ namespace {
 using test::View;
 
 View& hexworld() {
-  return test::kept_view("hexworld", [] { return load_scene("hexworld"); }, {160, 120});
+  return test::kept_view("hexworld", [] { return load_scene("hexworld"); }, {96, 72});
 }
 
 // The scene's first light turned about the vertical.
@@ -72,7 +72,7 @@ const std::vector<ReferenceResult>& truth_of(View& view, float degrees_a_frame) 
 }
 
 Motion motion_of(View& view, const std::string& name, float degrees_a_frame, std::string_view history) {
-  const auto technique = make(view, name, {"single.size=1024", history});
+  const auto technique = make(view, name, {"single.size=512", history});
   const auto& truth = truth_of(view, degrees_a_frame);
   Motion motion;
   std::vector<float> last;
@@ -118,7 +118,7 @@ TEST(Temporal, HistoryCalmsASlowSunAndSmearsAFastOne) {
 // In the frame after a step of the sun a map is mostly the last one: a mask that is the one without history shows that the
 // filter keeps none, which the tests of a still or a slow sun cannot see.
 TEST(Temporal, EveryFilterBlendsAfterAStepOfTheSun) {
-  View& view = test::kept_view("hexworld", [] { return load_scene("hexworld"); }, {96, 72});
+  View& view = hexworld();
   const size_t receivers = test::count(test::receivers((view.draw(), view)));
   const auto differing = [&](const std::vector<float>& a, const std::vector<float>& b) {
     size_t count = 0;
@@ -150,11 +150,11 @@ TEST(Temporal, EveryFilterBlendsAfterAStepOfTheSun) {
 
 // Cascades that follow the viewer in whole texels find each surface again, so that a still sun's map stays what it is.
 TEST(Temporal, MapsThatFollowTheViewerAreFoundAgain) {
-  View& view = test::kept_view("courtyard", [] { return load_scene("courtyard"); }, {160, 120});
+  View& view = test::kept_view("courtyard", [] { return load_scene("courtyard"); }, {96, 72});
   const Camera start = view.scene().cameras.at(0);
   for (const std::string name : {"cascaded/hard", "cascaded/vsm", "cascaded/esm", "cascaded/evsm", "cascaded/msm"}) {
-    const auto plain = make(view, name, {"cascaded.adapt=false"});
-    const auto blended = make(view, name, {"cascaded.adapt=false", "temporal.history=0.9"});
+    const auto plain = make(view, name, {"cascaded.size=512", "cascaded.adapt=false"});
+    const auto blended = make(view, name, {"cascaded.size=512", "cascaded.adapt=false", "temporal.history=0.9"});
     double difference = 0.0, last_difference = 0.0;
     std::vector<float> last;
     for (int i = 0; i < 8; ++i) {
@@ -178,7 +178,7 @@ TEST(Temporal, MapsThatFollowTheViewerAreFoundAgain) {
 }
 
 TEST(Temporal, ACachedMapArrivesAndIsThenKept) {
-  View& view = test::kept_view("courtyard", [] { return load_scene("courtyard"); }, {160, 120});
+  View& view = test::kept_view("courtyard", [] { return load_scene("courtyard"); }, {96, 72});
   for (const std::string name : {"single/hard", "single/vsm", "single/msm"}) {
     const auto technique = make(view, name, {"single.size=256", "temporal.history=0.5", "submission.cache=true"});
     EXPECT_EQ(has_pass(draw(view, *technique), "/temporal"), name == "single/hard")
@@ -202,11 +202,12 @@ TEST(Temporal, AStillMapStaysItself) {
       EXPECT_THROW(make(hexworld(), spec.name, {"temporal.history=0.5"}), Error);
       continue;
     }
+    const std::string size = fmt::format("{}.size=256", spec.name.substr(0, spec.name.find('/')));
     const LightKind kind = test::preferred_light(spec);
     View& view = test::kept_view(fmt::format("busy {}", light_kind_name(kind)), [=] { return test::busy(kind); }, {64, 48});
-    draw(view, *make(view, spec.name, {}));
+    draw(view, *make(view, spec.name, {size}));
     const auto expected = view.frame().read_mask(0);
-    const auto technique = make(view, spec.name, {"temporal.history=0.9"});
+    const auto technique = make(view, spec.name, {size, "temporal.history=0.9"});
     for (int i = 0; i < 3; ++i) draw(view, *technique);
     EXPECT_LT(mean_difference(view.frame().read_mask(0), expected), 1e-3) << spec.name;
     // A view that moves otherwise than in a plane begins anew or is found again: sound in either case.
