@@ -1,6 +1,7 @@
 // Views of the light as projections lay them out: what each slice of the view asks of its map, and the borders that kernels
 // need. No pictures are drawn, but for the samples that sample_distribution is fitted to.
 #include <cmath>
+#include <set>
 
 #include "shadow/explainer.h"
 #include "shadow/map/light_views.h"
@@ -109,6 +110,44 @@ TEST(LightViews, HalvesOfAParaboloidOverlapByTheBorder) {
         EXPECT_NEAR(texels_to_edge(half, lamp.position + 3.0f * across), border, 0.01);
       }
     }
+  }
+}
+
+// A room around a lamp, seen in six directions: what each point of the walls is looked up in holds the point, and looks at it.
+TEST(LightViews, EveryWallAroundALampHasItsLayer) {
+  const vec3 lamp(0.3f, 1.4f, -0.2f);
+  Scene room = test::scene_with({test::box_part({-2, 0, -2}, {2, 3, 2})});
+  room.materials[0].double_sided = true;
+  room.cameras.push_back(look_at("any", {0, 1.5f, 0}, {1, 1.5f, 0}, 90.0));
+  room.lights.push_back(test::make_light(LightKind::point, {0, -1, 0}, lamp, 0.0f));
+  View view(std::move(room), {16, 16});
+  for (const std::string id : {"cube", "dual_paraboloid"}) {
+    const auto& spec = find_technique(id + "/hard");
+    const auto technique = spec.make(view.context(), test::settings_of(spec, {id + ".size=64"}));
+    Explainer explainer(test::device());
+    std::set<uint32_t> layers;
+    for (int side = 0; side < 6; ++side) {
+      vec3 toward(0.01f, 0.02f, 0.03f);
+      toward[side / 2] = side % 2 ? -1.0f : 1.0f;
+      view.frame().set_camera(look_at("side", lamp, lamp + toward, 80.0));
+      for (const uvec2 pixel : {uvec2(3, 4), uvec2(9, 7), uvec2(12, 13)}) {
+        test::run_passes([&](Recorder& recorder) {
+          view.frame().record_surface(recorder);
+          technique->record(recorder, view.frame(), 0);
+          explainer.record_pick(recorder, view.frame(), 0, *technique, pixel);
+          explainer.record_views(recorder, *technique);
+        });
+        const PickRecord record = explainer.picked();
+        ASSERT_TRUE(record.seen && record.count == 1);
+        const uint32_t layer = record.layers[0].layer;
+        const ShadowView shadow = explainer.views().at(layer);
+        const vec3 along = glm::transpose(mat3(shadow.raster.clip_from_world))[2];
+        EXPECT_GE(texels_to_edge(shadow, record.position_ws), 0.0f) << id << ", side " << side << ", layer " << layer;
+        EXPECT_GT(glm::dot(along, record.position_ws - lamp), 0.0f) << id << ", side " << side << ", layer " << layer;
+        layers.insert(layer);
+      }
+    }
+    EXPECT_EQ(layers.size(), explainer.views().size()) << id;
   }
 }
 
