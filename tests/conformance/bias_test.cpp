@@ -80,5 +80,16 @@ TEST(Bias, UnitsAndGrowthScaleAllOfIt) {
   EXPECT_GE(layers.size(), 2u) << "several cascades must be asked";
 }
 
+TEST(Bias, MomentsAreComparedNearerToTheLight) {
+  View& view = floor_under(20.0f);
+  const auto& spec = find_technique("single/msm");
+  const auto light = [&](std::string_view bias) {
+    double sum = 0.0;
+    for (const float v : test::run_technique(view, spec, test::settings_of(spec, {"single.size=256", bias})).mask) sum += v;
+    return sum;
+  };
+  EXPECT_GT(light("msm.depth_bias=50"), 1.001 * light("msm.depth_bias=0"));
+}
+
 }  // namespace
 }  // namespace gnomon

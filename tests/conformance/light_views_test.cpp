@@ -6,6 +6,7 @@
 #include "shadow/explainer.h"
 #include "shadow/map/light_views.h"
 #include "shadow/map/splits.h"
+#include "shadow/map/warp.h"
 #include "shadow/registry.h"
 #include "stage.h"
 
@@ -149,6 +150,27 @@ TEST(LightViews, EveryWallAroundALampHasItsLayer) {
     }
     EXPECT_EQ(layers.size(), explainer.views().size()) << id;
   }
+}
+
+// Wimmer et al. 2004: the size of a texel over that of a pixel is the same at both ends of the view.
+TEST(Warp, PerspectiveErrorIsTheSameAtBothEnds) {
+  const CameraData camera = camera_data(look_at("level", {0, 2, 50}, {0, 2, 0}, 60.0), {160, 90}, 1);
+  Box box;
+  box.min = vec3(-50, 0, -50), box.max = vec3(50, 10, 45);
+  const WarpFit fit = warp_fit(camera, test::make_sun({0, -1, 0}), box, box, 0.1f, 100.0f);
+  const ShadowView view = warped_view(fit, light_space_perspective_distance(fit, 0.0f, 1.0f), 1024, 0.0f);
+  // Metres along the view.
+  const auto texel_at = [&](float depth) {
+    const auto place = [&](float z) {
+      const vec4 clip = light_clip(view.raster, camera.eye_ws + z * camera.forward_ws);
+      return clip.y / clip.w;
+    };
+    const float step = 1e-3f * depth;
+    return 2.0f * step / (place(depth + step) - place(depth - step)) * 2.0f / view.size;
+  };
+  ASSERT_GT(fit.farthest_m, 10.0f * fit.nearest_m);
+  EXPECT_NEAR(texel_at(fit.farthest_m) / fit.farthest_m * fit.nearest_m / texel_at(fit.nearest_m), 1.0f, 0.02f);
+  EXPECT_NEAR(view.texel_along_m, texel_at(fit.nearest_m), 0.01f * view.texel_along_m) << "w is 1 at the near side";
 }
 
 // A box of casters anywhere around a lamp: on the axis of the view that looks at it none lies before the near plane.

@@ -144,6 +144,48 @@ TEST(PercentageCloser, SoftShadowsAreNearerToASunWithSize) {
   }
 }
 
+// The map ends with the casters: a kernel at its edge reads beyond, where all is lit.
+TEST(PercentageCloser, KernelsAgreeAcrossTheEdgeOfTheMap) {
+  Scene scene = test::scene_with({test::floor_part(4.0f), test::box_part({-1, 0.5f, -1}, {1, 1, 1})});
+  scene.objects[0].casts = false;
+  scene.cameras.push_back(look_at("beside", {3, 3, 3}, {0, 0, 0}, 50.0));
+  scene.lights.push_back(test::make_sun({0, -1, 0}));
+  View view(std::move(scene), {96, 72});
+  for (const std::string bilinear : {"true", "false"}) {
+    for (const std::string plane : {"true", "false"}) {
+      const Assignments same = {"single.size=128", "pcf.size=15", "pcf.bilinear=" + bilinear, "bias.receiver_plane=" + plane};
+      Assignments grid = same, optimised = same;
+      grid.emplace_back("pcf.kernel=grid"), optimised.emplace_back("pcf.kernel=optimised");
+      const auto a = mask_of(view, "single/pcf", grid), b = mask_of(view, "single/pcf", optimised);
+      EXPECT_LT(difference(a, b).mean, 1e-3) << "bilinear " << bilinear << ", plane " << plane;
+      // Just within the edge half of the kernel lies beyond.
+      size_t grey = 0, black = 0;
+      for (const float v : a) grey += v > 0.3f && v < 0.7f, black += v == 0.0f;
+      EXPECT_GT(grey, 20u) << "bilinear " << bilinear << ", plane " << plane;
+      EXPECT_GT(black, 50u);
+    }
+  }
+}
+
+// A floor and a box above it that are parts of one object, or two.
+TEST(ObjectId, PartsOfOneObjectShadowEachOtherWhenAskedFor) {
+  Scene scene = test::scene_with({});
+  const std::vector<MeshPart> parts = {test::floor_part(4.0f), test::box_part({-1, 0.5f, -1}, {1, 1, 1})};
+  add_object(scene, "both", add_mesh(scene, "both", parts));
+  scene.cameras.push_back(look_at("beside", {3, 3, 3}, {0, 0, 0}, 50.0));
+  scene.lights.push_back(test::make_sun({0, -1, 0}));
+  View view(std::move(scene), {64, 48});
+  const auto shadow = [&](const std::string& parts_of) {
+    const auto mask = mask_of(view, "single/object_id", {"single.size=256", "object_id.within=lit", parts_of});
+    const auto receiver = test::receivers(view);
+    size_t dark = 0;
+    for (size_t i = 0; i < mask.size(); ++i) dark += receiver[i] && mask[i] < 0.5f;
+    return dark;
+  };
+  EXPECT_EQ(shadow("object_id.parts=object"), 0u);
+  EXPECT_GT(shadow("object_id.parts=item"), 50u);
+}
+
 TEST(ObjectId, ARoomOfOneObjectIsLitUnlessDepthIsComparedWithin) {
   View& view =
       test::kept_view("thin room directional", [] { return test::closed_room(LightKind::directional, true); }, {96, 72});

@@ -131,6 +131,8 @@ TEST(Temporal, EveryFilterBlendsAfterAStepOfTheSun) {
     ++filters;
     const auto plain = make(view, spec.name, {"single.size=256"});
     const auto blended = make(view, spec.name, {"single.size=256", "temporal.history=0.9"});
+    const auto little = make(view, spec.name, {"single.size=256", "temporal.history=0.2"});
+    draw(view, *little);
     draw(view, *plain);
     const auto before = view.frame().read_mask(0);
     draw(view, *blended);
@@ -143,9 +145,41 @@ TEST(Temporal, EveryFilterBlendsAfterAStepOfTheSun) {
     const double share = differing(mask, after);
     fmt::print("{:14}, hexworld, a step of 3 degrees: {:.3f} of receivers differ from without history\n", spec.name, share);
     EXPECT_GT(share, 0.02) << spec.name;
+    draw(view, *little);
+    EXPECT_LT(mean_difference(view.frame().read_mask(0), after), mean_difference(mask, after)) << spec.name;
     turn_sun(view, 0.0f);
   }
   EXPECT_GE(filters, 8u);
+}
+
+// The last map's depths are turned into this one's: where one surface alone is seen, and lit or dark in both frames, the blend
+// of both frames is so too. The views' depths differ in origin and scale.
+TEST(Temporal, WhatBothFramesSayTheBlendSays) {
+  View view(test::box_on_floor(LightKind::directional), {64, 48});
+  for (const auto& spec : all_techniques()) {
+    if (!spec.name.starts_with("single/") || spec.name.ends_with("/object_id")) continue;
+    const auto plain = make(view, spec.name, {"single.size=256"});
+    const auto blended = make(view, spec.name, {"single.size=256", "temporal.history=0.9"});
+    draw(view, *plain);
+    const auto before = view.frame().read_mask(0);
+    draw(view, *blended);
+    turn_sun(view, 40.0f);
+    draw(view, *plain);
+    const auto after = view.frame().read_mask(0);
+    const auto receiver = test::receivers(view);
+    draw(view, *blended);
+    const auto mask = view.frame().read_mask(0);
+    turn_sun(view, 0.0f);
+    size_t agreed = 0, other = 0;
+    for (size_t i = 0; i < mask.size(); ++i) {
+      if (!receiver[i] || std::abs(before[i] - after[i]) > 0.01f || std::abs(after[i] - 0.5f) < 0.48f) continue;
+      ++agreed;
+      other += std::abs(mask[i] - after[i]) > 0.1f;
+    }
+    fmt::print("{}: of {} samples on which both frames agree {} are blended to something else\n", spec.name, agreed, other);
+    ASSERT_GT(agreed, 1000u) << spec.name;
+    EXPECT_LT(other, agreed / 100) << spec.name;
+  }
 }
 
 // Cascades that follow the viewer in whole texels find each surface again, so that a still sun's map stays what it is.
