@@ -167,6 +167,35 @@ TEST(PercentageCloser, KernelsAgreeAcrossTheEdgeOfTheMap) {
   }
 }
 
+// Weights of a side: 1 in the middle and 0 one step outside the kernel. Across an edge along the texels their sums appear.
+TEST(PercentageCloser, ATentFallsLinearlyAcrossAnEdge) {
+  Scene scene = test::scene_with({test::floor_part(4.0f), test::box_part({-9, 0.5f, -9}, {0.13f, 1, 9})});
+  scene.cameras.push_back(look_at("beside", {3, 0.4f, 1}, {0, 0, 0}, 30.0));
+  scene.lights.push_back(test::make_sun({0, -1, 0}));
+  View view(std::move(scene), {96, 72});
+  const std::pair<const char*, std::vector<float>> cases[] = {{"pcf.size=3", {0, 1 / 4.0f, 3 / 4.0f, 1}},
+                                                              {"pcf.size=5", {0, 1 / 9.0f, 3 / 9.0f, 6 / 9.0f, 8 / 9.0f, 1}}};
+  for (const std::string kernel : {"grid", "optimised"}) {
+    for (const auto& [size, sums] : cases) {
+      const auto mask = mask_of(view, "single/pcf",
+                                {"single.size=512", "pcf.weights=tent", "pcf.bilinear=false", size, "pcf.kernel=" + kernel,
+                                 "bias.receiver_plane=false"});
+      view.draw();
+      const auto points = view.frame().read_points();
+      std::vector<size_t> seen(sums.size());
+      for (size_t i = 0; i < mask.size(); ++i) {
+        if (points[i].object != 0) continue;
+        const auto nearest = std::min_element(sums.begin(), sums.end(),
+                                              [&](float a, float b) { return std::abs(a - mask[i]) < std::abs(b - mask[i]); });
+        EXPECT_NEAR(mask[i], *nearest, 2e-3f) << kernel << ", " << size;
+        ++seen[static_cast<size_t>(nearest - sums.begin())];
+      }
+      for (size_t k = 0; k < sums.size(); ++k)
+        EXPECT_GT(seen[k], 0u) << kernel << ", " << size << ": no sample sees " << sums[k];
+    }
+  }
+}
+
 // A floor and a box above it that are parts of one object, or two.
 TEST(ObjectId, PartsOfOneObjectShadowEachOtherWhenAskedFor) {
   Scene scene = test::scene_with({});
