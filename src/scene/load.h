@@ -17,11 +17,18 @@ namespace gnomon {
 // failure for a bad file (message: "path:line: what is wrong; what would be valid", or "path: JSON place: ...").
 Scene load_scene(const std::string& name_or_path, const std::map<std::string, double>& options = {});
 
-Scene load_obj(const std::filesystem::path& path);
+// Whether the alpha channel of an OBJ file's colour picture cuts holes where the file does not say (no map_d).
+enum class AlphaFromColour { automatic, on, off };
+struct SceneFileOptions {
+  AlphaFromColour alpha_from_colour = AlphaFromColour::automatic;
+};
+
+Scene load_obj(const std::filesystem::path& path, const SceneFileOptions& options = {});
 Scene load_gltf(const std::filesystem::path& path);
 
 // The same from memory, for the fuzz targets; files that the scene refers to are looked for in `folder` (empty: not found).
-Scene load_obj_from_memory(std::string_view text, const std::string& name, const std::filesystem::path& folder);
+Scene load_obj_from_memory(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                           const SceneFileOptions& options = {});
 Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string& name, const std::filesystem::path& folder);
 
 struct BuiltinOption {
