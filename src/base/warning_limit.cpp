@@ -37,9 +37,12 @@ WarningLimit::~WarningLimit() {
     const std::lock_guard lock(WarningLimits::all().mutex);
     std::erase(WarningLimits::all().list, this);
   }
-  for (const auto& [kind, entry] : kinds_) {
-    if (entry.count <= k_shown) continue;
-    log_line(LogLevel::warning, fmt::format("and {} more like this one: {}", entry.count - k_shown, entry.last_shown));
+  try {
+    for (const auto& [kind, entry] : kinds_) {
+      if (entry.count <= k_shown) continue;
+      log_line(LogLevel::warning, fmt::format("and {} more like this one: {}", entry.count - k_shown, entry.last_shown));
+    }
+  } catch (...) {  // memory: what is lost is a number
   }
 }
 

@@ -40,6 +40,13 @@ std::vector<std::string> steps_of(const std::string& name) {
 
 }  // namespace
 
+FileFinder::~FileFinder() {
+  try {
+    say_what_was_guessed();
+  } catch (...) {  // memory: what is lost is a hint
+  }
+}
+
 std::optional<fs::path> FileFinder::find_exactly(const std::string& name, std::span<const fs::path> folders) const {
   const std::string plain = plain_name(name);
   if (plain.empty() || name.find('\0') != name.npos) return std::nullopt;
@@ -89,7 +96,8 @@ std::optional<std::string> FileFinder::entry_like(const fs::path& folder, const 
   const auto [known, is_new] = entries_.try_emplace(folder);
   if (is_new) {
     std::error_code error;
-    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
       const std::string found = entry->path().filename().string();
       std::string& kept = known->second[lower_case(found)];
       if (kept.empty() || found < kept) kept = found;  // not the order of the directory, which is none

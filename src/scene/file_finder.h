@@ -15,6 +15,10 @@ class FileFinder {
  public:
   // `source`: the scene file, for the message.
   explicit FileFinder(std::string source) : source_(std::move(source)) {}
+  // Says in one line what only the looser rules found.
+  ~FileFinder();
+  FileFinder(const FileFinder&) = delete;
+  FileFinder& operator=(const FileFinder&) = delete;
 
   // A regular file (a device such as /dev/zero would be read for ever) at `name` below the first of the folders that has it;
   // nullopt where there is none. An empty folder has nothing. Slashes may be backslashes, the name may stand in quotes.
@@ -23,10 +27,8 @@ class FileFinder {
   // The same; where there is none, in any case of letters, and with fewer and fewer of the leading folders of `name`.
   std::optional<std::filesystem::path> find(const std::string& name, std::span<const std::filesystem::path> folders);
 
-  // One line for all that only the looser rules found.
-  void say_what_was_guessed() const;
-
  private:
+  void say_what_was_guessed() const;
   std::optional<std::filesystem::path> walk(const std::filesystem::path& folder, std::span<const std::string> steps);
   std::optional<std::string> entry_like(const std::filesystem::path& folder, const std::string& name);
 

@@ -69,7 +69,8 @@ TEST(Mtl, DecimalCommasAreReadAndSaid) {
 }
 
 TEST(Mtl, WhatIsNoColourIsSaidWithItsReplacement) {
-  for (const std::string text : {"Kd a b c", "Kd 1,0,0 1 1", "Kd 0.5, 0.5, 0.5", "Kd nan 0 0", "Kd 1e999 0 0", "Kd", "Kd 1 0"}) {
+  for (const std::string text :
+       {"Kd a b c", "Kd 1,0,0 1 1", "Kd 0.5, 0.5, 0.5", "Kd nan 0 0", "Kd 1e999 0 0", "Kd", "Kd 1 0"}) {
     EXPECT_EQ(warned(text, {"a.mtl:2: Kd", "0.6 0.6 0.6 is used instead"}).diffuse, vec3(0.6f)) << text;
   }
   EXPECT_EQ(warned("Kd 1 0 0\nKd spectral a.rfl 1", {"a.mtl:3: Kd spectral", "1 0 0 is used instead"}).diffuse, vec3(1, 0, 0));
@@ -82,8 +83,10 @@ TEST(Mtl, WhatIsNoColourIsSaidWithItsReplacement) {
 
 TEST(Mtl, OptionsOfPictures) {
   const MtlPicture all =
-      silently("map_Kd -blendu on -blendv off -cc on -clamp on -boost 2 -texres 512 -mm 0 1 -t 0 0 0 -imfchan r -s 2 3 4 -o "
-               "0.5 0.25 0 -bm 0.5 my picture 01.png  ").colour;
+      silently(
+          "map_Kd -blendu on -blendv off -cc on -clamp on -boost 2 -texres 512 -mm 0 1 -t 0 0 0 -imfchan r -s 2 3 4 -o "
+          "0.5 0.25 0 -bm 0.5 my picture 01.png  ")
+          .colour;
   EXPECT_EQ(all.name, "my picture 01.png");
   EXPECT_EQ(all.scale, vec2(2, 3));
   EXPECT_EQ(all.offset, vec2(0.5f, 0.25f));
@@ -107,7 +110,8 @@ TEST(Mtl, OptionsWithoutTheirNumberAreSaid) {
 }
 
 TEST(Mtl, SeveralMaterials) {
-  const auto materials = read_mtl("\xef\xbb\xbf# comment\r\nKd 1 0 0\r\nnewmtl a b \r\nd 0.5\r\nnewmtl Material#25\r\nTr 0.25\r\n", "a.mtl");
+  const auto materials =
+      read_mtl("\xef\xbb\xbf# comment\r\nKd 1 0 0\r\nnewmtl a b \r\nd 0.5\r\nnewmtl Material#25\r\nTr 0.25\r\n", "a.mtl");
   ASSERT_EQ(materials.size(), 2u);
   EXPECT_EQ(materials[0].name, "a b");
   EXPECT_EQ(materials[0].diffuse, vec3(0.6f)) << "what stands before the first is of none";

@@ -28,16 +28,24 @@ class ObjFiles : public ::testing::Test {
     folder_.picture(name, size, size, colour);
   }
   void plain_picture(const std::string& name, uint8_t red) {
-    picture(name, [&](int, int) { return Texel{red, 0, 0, 255}; }, 1);
+    picture(
+        name,
+        [&](int, int) {
+          return Texel{red, 0, 0, 255};
+        },
+        1);
   }
 
-  Scene load(const std::string& head, const std::string& faces = "usemtl m\nf 1/1 2/2 3/3\n", AlphaFromColour alpha = {}) {
+  Scene load(const std::string& head, const std::string& faces = "usemtl m\nf 1/1 2/2 3/3\n",
+             uint32_t alpha = scene_file_params::alpha_from_colour_auto) {
+    SceneFileOptions options;
+    options.params.alpha_from_colour = alpha;
     WarningWatch watch;
-    Scene scene = load_obj_from_memory(head + "\n" + k_triangle + faces, "test.obj", folder_.path(), {alpha});
+    Scene scene = load_obj_from_memory(head + "\n" + k_triangle + faces, "test.obj", folder_.path(), options);
     warnings_ = watch.texts();
     return scene;
   }
-  Scene load_with(const std::string& mtl, AlphaFromColour alpha = {}) {
+  Scene load_with(const std::string& mtl, uint32_t alpha = scene_file_params::alpha_from_colour_auto) {
     write("lib.mtl", mtl);
     return load("mtllib lib.mtl", "usemtl m\nf 1/1 2/2 3/3\n", alpha);
   }
@@ -86,8 +94,8 @@ TEST_F(ObjFiles, TwoLibrariesMayHavePicturesOfOneName) {
 TEST_F(ObjFiles, SeveralLibrariesWithBlanksInOneLine) {
   write("my red.mtl", "newmtl m\nKd 1 0 0\n"), write("my blue.mtl", "newmtl n\nKd 0 0 1\n");
   const std::string faces = "usemtl m\nf 1/1 2/2 3/3\nusemtl n\nf 3/3 2/2 1/1\n";
-  for (const std::string line : {"mtllib my red.mtl my blue.mtl", "mtllib My Red.MTL My Blue.MTL", "mtllib my\\ red.mtl my\\ blue.mtl",
-                                 "mtllib absent one.mtl my blue.mtl my red.mtl"}) {
+  for (const std::string line : {"mtllib my red.mtl my blue.mtl", "mtllib My Red.MTL My Blue.MTL",
+                                 "mtllib my\\ red.mtl my\\ blue.mtl", "mtllib absent one.mtl my blue.mtl my red.mtl"}) {
     const Scene scene = load(line, faces);
     EXPECT_EQ(scene.materials.at(0).base_colour, vec4(1, 0, 0, 1)) << line;
     EXPECT_EQ(scene.materials.at(1).base_colour, vec4(0, 0, 1, 1)) << line;
@@ -145,7 +153,10 @@ TEST_F(ObjFiles, FilesThatWereNotFetched) {
 TEST_F(ObjFiles, AThousandLibrariesAreCounted) {
   std::string head;
   for (int i = 0; i < 1000; ++i) head += fmt::format("mtllib absent{}.mtl\n", i);
-  load(head);
+  write("scene.obj", head + k_triangle + "f 1 2 3\n");
+  WarningWatch watch;
+  load_scene((folder_.path() / "scene.obj").string());
+  warnings_ = watch.texts();
   EXPECT_EQ(warned("the material library absent"), 6) << "five, and their number";
   EXPECT_EQ(warned("and 995 more like this one"), 1);
 }
@@ -179,13 +190,13 @@ TEST_F(ObjFiles, AlphaThatCutsNothingIsNotSpokenOf) {
 TEST_F(ObjFiles, TheSettingDecidesInstead) {
   picture("leaf.png", leaf), picture("gloss.png", gloss);
   const std::string leaf_mtl = "newmtl m\nmap_Kd leaf.png\n", gloss_mtl = "newmtl m\nmap_Kd gloss.png\n";
-  EXPECT_FALSE(load_with(leaf_mtl, AlphaFromColour::off).materials[0].masked);
+  EXPECT_FALSE(load_with(leaf_mtl, scene_file_params::alpha_from_colour_off).materials[0].masked);
   EXPECT_TRUE(warnings_.empty());
-  EXPECT_TRUE(load_with(leaf_mtl, AlphaFromColour::on).materials[0].masked);
-  EXPECT_TRUE(load_with(gloss_mtl, AlphaFromColour::on).materials[0].masked);
+  EXPECT_TRUE(load_with(leaf_mtl, scene_file_params::alpha_from_colour_on).materials[0].masked);
+  EXPECT_TRUE(load_with(gloss_mtl, scene_file_params::alpha_from_colour_on).materials[0].masked);
   EXPECT_TRUE(warnings_.empty());
   // Where the file says it, there is nothing to decide.
-  EXPECT_TRUE(load_with(gloss_mtl + "map_d gloss.png\n", AlphaFromColour::off).materials[0].masked);
+  EXPECT_TRUE(load_with(gloss_mtl + "map_d gloss.png\n", scene_file_params::alpha_from_colour_off).materials[0].masked);
   EXPECT_TRUE(load_with(gloss_mtl + "map_d gloss.png\n").materials[0].masked);
   EXPECT_TRUE(warnings_.empty());
 }

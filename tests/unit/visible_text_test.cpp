@@ -12,7 +12,9 @@ namespace gnomon {
 namespace {
 
 TEST(VisibleText, FitTextIsUnchanged) {
-  for (const std::string text : {"", "plain", "two\nlines\tand a tab", "Stra\xc3\x9f" "e, \xe6\x97\xa5\xe6\x9c\xac, \xf0\x9f\x8c\xb3"})
+  for (const std::string text : {"", "plain", "two\nlines\tand a tab",
+                                 "Stra\xc3\x9f"
+                                 "e, \xe6\x97\xa5\xe6\x9c\xac, \xf0\x9f\x8c\xb3"})
     EXPECT_EQ(visible_text(text), text);
   EXPECT_EQ(visible_line("two\nlines\t"), "two\\x0alines\\x09");
 }
@@ -21,12 +23,20 @@ TEST(VisibleText, ControlCharactersAreShownAsText) {
   EXPECT_EQ(visible_text("\x1b[31mred\x1b[0m"), "\\x1b[31mred\\x1b[0m");
   EXPECT_EQ(visible_text(std::string_view("zero\0more", 9)), "zero\\x00more");
   EXPECT_EQ(visible_text("\r\b\a\x7f"), "\\x0d\\x08\\x07\\x7f");
-  EXPECT_EQ(visible_text("\xc2\x9b" "2J"), "\\x9b2J") << "the eight-bit form of ESC [";
-  EXPECT_EQ(visible_text("a\xe2\x80\xae" "b"), "a\\u202eb") << "text that would run from right to left";
+  EXPECT_EQ(visible_text("\xc2\x9b"
+                         "2J"),
+            "\\x9b2J")
+      << "the eight-bit form of ESC [";
+  EXPECT_EQ(visible_text("a\xe2\x80\xae"
+                         "b"),
+            "a\\u202eb")
+      << "text that would run from right to left";
 }
 
 TEST(VisibleText, BytesThatAreNoUtf8AreShownAsText) {
-  EXPECT_EQ(visible_text("Stra\xdf" "e"), "Stra\\xdfe");
+  EXPECT_EQ(visible_text("Stra\xdf"
+                         "e"),
+            "Stra\\xdfe");
   EXPECT_EQ(visible_text("\xe6\x97"), "\\xe6\\x97") << "cut off";
   EXPECT_EQ(visible_text("\xc0\x80"), "\\xc0\\x80") << "longer than needed";
   EXPECT_EQ(visible_text("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "half of a surrogate";

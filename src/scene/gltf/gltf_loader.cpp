@@ -10,7 +10,8 @@
 
 namespace gnomon {
 
-Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string& name, const std::filesystem::path& folder) {
+Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string& name, const std::filesystem::path& folder,
+                            const SceneFileOptions& /*options*/) {
   GltfDocument document(bytes, name, folder);
   Scene scene;
   scene.source = name;
@@ -23,10 +24,10 @@ Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string&
   return scene;
 }
 
-Scene load_gltf(const std::filesystem::path& path) {
+Scene load_gltf(const std::filesystem::path& path, const SceneFileOptions& options) {
   const std::vector<std::byte> bytes = read_file(path);
   const auto folder = path.parent_path();
-  return load_gltf_from_memory(bytes, path.string(), folder.empty() ? "." : folder);
+  return load_gltf_from_memory(bytes, path.string(), folder.empty() ? "." : folder, options);
 }
 
 }  // namespace gnomon

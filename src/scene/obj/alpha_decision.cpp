@@ -7,7 +7,8 @@
 namespace gnomon {
 
 bool AlphaDecision::cuts(const Image8& picture, const std::string& material) {
-  if (rule_ != AlphaFromColour::automatic) return rule_ == AlphaFromColour::on && has_transparency(picture);
+  if (rule_ == scene_file_params::alpha_from_colour_off) return false;
+  if (rule_ == scene_file_params::alpha_from_colour_on) return has_transparency(picture);
   const AlphaShares shares = alpha_shares(picture);
   if (shares.holes == 0.0) return false;  // nothing would be cut
   const bool cuts = is_cut_out(shares);

@@ -12,7 +12,7 @@ namespace gnomon {
 
 class AlphaDecision {
  public:
-  explicit AlphaDecision(AlphaFromColour rule) : rule_(rule) {}
+  explicit AlphaDecision(const SceneFileOptions& options) : rule_(options.params.alpha_from_colour) {}
 
   // Remembers what was decided by looking at the picture alone.
   bool cuts(const Image8& picture, const std::string& material);
@@ -20,7 +20,7 @@ class AlphaDecision {
   void say(const std::string& source) const;
 
  private:
-  AlphaFromColour rule_;
+  uint32_t rule_;                         // one of scene_file_params::alpha_from_colour_*
   std::vector<std::string> cut_, whole_;  // "leaf (70 %)"
 };
 

@@ -119,7 +119,8 @@ class MtlReader {
   void read_dissolve(MtlMaterial& m, std::string_view rest) {
     std::string_view after = rest;
     if (next_word(after) == "-halo") {
-      log_warning("{}:{}: d -halo: opacity that depends on the view is not read; the same opacity is used all over", file_, line_);
+      log_warning("{}:{}: d -halo: opacity that depends on the view is not read; the same opacity is used all over", file_,
+                  line_);
       rest = after;
     }
     read_number(m.dissolve, rest, 0.0f, 1.0f);
@@ -185,8 +186,8 @@ class MtlReader {
   const std::string& file_;
   size_t line_ = 0;
   std::string keyword_;
-  bool commas_ = false;      // in what was read of the statement
-  size_t dissolve_of_ = 0;   // count of materials when the last `d` was read
+  bool commas_ = false;     // in what was read of the statement
+  size_t dissolve_of_ = 0;  // count of materials when the last `d` was read
   std::vector<MtlMaterial> materials_;
 };
 

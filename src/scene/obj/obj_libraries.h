@@ -35,6 +35,7 @@ class ObjLibraries {
 
 // The names in `statement`, which blanks separate and which hold blanks themselves: "my red.mtl my blue.mtl", "a\ b.mtl". A
 // name is what is a file (`is_file`), else what ends in .mtl.
-std::vector<std::string> split_library_names(std::string_view statement, const std::function<bool(const std::string&)>& is_file);
+std::vector<std::string> split_library_names(std::string_view statement,
+                                             const std::function<bool(const std::string&)>& is_file);
 
 }  // namespace gnomon

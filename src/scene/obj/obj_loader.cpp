@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
-#include "base/warning_limit.h"
 #include "scene/load.h"
 #include "scene/obj/obj_materials.h"
 #include "scene/obj/obj_mesh.h"
@@ -294,7 +293,6 @@ class ObjLoader {
 
 Scene load_obj_from_memory(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                            const SceneFileOptions& options) {
-  const WarningLimit limit;
   const ObjSource source{name, folder, options};
   return ObjLoader(text, source).load();
 }

@@ -133,7 +133,7 @@ void add_obj_materials(Scene& scene, const ObjSource& source, const std::vector<
                 first_names(missing));
   }
   pictures.load();
-  AlphaDecision alpha(source.options.alpha_from_colour);
+  AlphaDecision alpha(source.options);
   MaterialMaker maker(scene, pictures, alpha);
   for (const std::string& name : names) {
     const auto* entry = name.empty() ? nullptr : library.find(name);
@@ -144,7 +144,6 @@ void add_obj_materials(Scene& scene, const ObjSource& source, const std::vector<
     scene.materials.push_back(std::move(material));
   }
   alpha.say(source.name);
-  finder.say_what_was_guessed();
   if (!solid.empty()) {
     log_warning("{}: alpha-tested materials without their texture: {}; their cut-outs are lost: they cast as solid sheets",
                 source.name, first_names(solid));

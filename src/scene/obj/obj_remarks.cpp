@@ -10,16 +10,11 @@ namespace {
 // Empty for what changes no shadow: smoothing groups, display hints, the parts of a surface between its head and `end`.
 std::string_view what_is(std::string_view keyword) {
   constexpr std::pair<std::string_view, std::string_view> k_drawn[] = {
-      {"l", "lines (l)"},
-      {"p", "points (p)"},
-      {"curv", "curves (curv)"},
-      {"curv2", "curves (curv2)"},
-      {"surf", "surfaces (surf)"},
-      {"bsp", "surfaces (bsp)"},
-      {"bzp", "surfaces (bzp)"},
-      {"cdc", "curves (cdc)"},
-      {"cdp", "surfaces (cdp)"},
-      {"call", "other files (call)"},
+      {"l", "lines (l)"},          {"p", "points (p)"},
+      {"curv", "curves (curv)"},   {"curv2", "curves (curv2)"},
+      {"surf", "surfaces (surf)"}, {"bsp", "surfaces (bsp)"},
+      {"bzp", "surfaces (bzp)"},   {"cdc", "curves (cdc)"},
+      {"cdp", "surfaces (cdp)"},   {"call", "other files (call)"},
   };
   for (const auto& [name, what] : k_drawn) {
     if (name == keyword) return what;
@@ -41,9 +36,10 @@ void ObjRemarks::skipped(std::string_view keyword, size_t line) {
 void ObjRemarks::face(Face kind, size_t line) { faces_[kind].add(line); }
 
 void ObjRemarks::say(const std::string& source) const {
-  constexpr const char* k_of_faces[] = {"with fewer than three corners are left out",
-                                        "name texture coordinates (vt) that are not there: they get none, and holes in their textures are lost",
-                                        "name normals (vn) that are not there: theirs are made"};
+  constexpr const char* k_of_faces[] = {
+      "with fewer than three corners are left out",
+      "name texture coordinates (vt) that are not there: they get none, and holes in their textures are lost",
+      "name normals (vn) that are not there: theirs are made"};
   for (size_t kind = 0; kind < std::size(faces_); ++kind) {
     const Count& faces = faces_[kind];
     if (faces.count > 0)
