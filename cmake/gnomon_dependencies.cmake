@@ -25,7 +25,6 @@ target_compile_definitions(gnomon_fmt INTERFACE SPDLOG_FMT_EXTERNAL)
 
 find_path(STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
 find_path(VMA_INCLUDE vk_mem_alloc.h REQUIRED)
-find_path(TINYOBJ_INCLUDE tiny_obj_loader.h REQUIRED)
 find_path(TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)
 find_path(DRACO_INCLUDE draco/compression/decode.h REQUIRED)
 find_library(DRACO_LIBRARY draco REQUIRED)

@@ -27,7 +27,6 @@ packages=(
   "mesa-vulkan-drivers|Vulkan on the CPU (lavapipe), and drivers of common GPUs"
   "libvulkan-memory-allocator-dev|GPU memory"
   "libglm-dev|vectors and matrices"
-  "libtinyobjloader-dev|Wavefront OBJ"
   "libtinygltf-dev|glTF 2.0"
   "libdraco-dev|KHR_draco_mesh_compression"
   "libmeshoptimizer-dev|EXT_meshopt_compression, vertex cache order"

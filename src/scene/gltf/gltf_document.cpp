@@ -60,7 +60,7 @@ void GltfBudget::take(uint64_t elements, const std::string& place) {
 }
 
 GltfDocument::GltfDocument(Bytes bytes, const std::string& name, const fs::path& folder)
-    : name_(name), folder_(folder), budget_(name_) {
+    : name_(name), folder_(folder), finder_(name), budget_(name_) {
   budget_.add_input(bytes.size());
   if (as_text(bytes).starts_with("glTF")) {
     split_binary(bytes);
@@ -131,11 +131,12 @@ void GltfDocument::check_asset() const {
 
 std::optional<fs::path> GltfDocument::find_file(const std::string& uri) const {
   if (folder_.empty() || uri.starts_with("data:")) return std::nullopt;
-  const fs::path path = folder_ / percent_decoded(uri);
-  std::error_code error;
-  if (fs::is_regular_file(path, error)) return path;  // a device would be read for ever
-  const fs::path plain = folder_ / uri;               // some exporters do not escape
-  return fs::is_regular_file(plain, error) ? std::optional(plain) : std::nullopt;
+  const std::span<const fs::path> folders(&folder_, 1);
+  const std::string decoded = percent_decoded(uri);
+  for (const std::string& spelling : {decoded, uri}) {  // some exporters do not escape
+    if (const auto exact = finder_.find_exactly(spelling, folders)) return exact;
+  }
+  return finder_.find(decoded, folders);
 }
 
 std::vector<std::byte> GltfDocument::read_uri(const std::string& uri, const std::string& place) const {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/file_finder.h"
 #include "scene/gltf/gltf_json.h"
 
 namespace gnomon {
@@ -82,6 +83,7 @@ class GltfDocument {
 
   std::string name_;
   std::filesystem::path folder_;
+  mutable FileFinder finder_;  // remembers what it guessed
   GltfBudget budget_;
   nlohmann::json json_;
   std::optional<Bytes> binary_chunk_;
