@@ -16,11 +16,13 @@ bool is_webp(std::span<const std::byte> encoded) {
 Image8 decode_webp(std::span<const std::byte> encoded, const std::string& name) {
   const auto* data = reinterpret_cast<const uint8_t*>(encoded.data());
   WebPBitstreamFeatures features;
-  if (WebPGetFeatures(data, encoded.size(), &features) != VP8_STATUS_OK) fail("{}: the WebP picture is damaged in its header", name);
+  if (WebPGetFeatures(data, encoded.size(), &features) != VP8_STATUS_OK)
+    fail("{}: the WebP picture is damaged in its header", name);
   if (features.has_animation) fail("{}: is an animated WebP; valid: a still one", name);
   // A picture of one colour takes a few dozen bytes whatever its size, but a header alone must not cost a gigabyte.
   constexpr uint64_t k_most_pixels_per_byte = 1u << 16;
-  if (static_cast<uint64_t>(features.width) * static_cast<uint64_t>(features.height) > k_most_pixels_per_byte * encoded.size()) {
+  if (static_cast<uint64_t>(features.width) * static_cast<uint64_t>(features.height) >
+      k_most_pixels_per_byte * encoded.size()) {
     fail("{}: the picture is damaged ({} x {} pixels cannot be in {} bytes)", name, features.width, features.height,
          encoded.size());
   }

@@ -144,7 +144,8 @@ TEST(GltfAnimation, DamageIsReportedWithItsPlace) {
     return b.error(at(1));
   };
   const std::string place = "test.gltf: animations[0].";
-  EXPECT_TRUE(error_with("/animations/0/samplers/0/interpolation", "SMOOTH").starts_with(place + "samplers[0].interpolation: "));
+  EXPECT_TRUE(
+      error_with("/animations/0/samplers/0/interpolation", "SMOOTH").starts_with(place + "samplers[0].interpolation: "));
   EXPECT_TRUE(error_with("/animations/0/samplers/0/input", 99).starts_with(place + "samplers[0].input: "));
   EXPECT_TRUE(error_with("/animations/0/samplers/0/input", 0).starts_with(place + "samplers[0].input: ")) << "positions";
   EXPECT_TRUE(error_with("/animations/0/samplers/0/output", 1).starts_with(place + "samplers[0].output: ")) << "times";

@@ -18,11 +18,10 @@ TEST(GltfMorph, AddsEachTargetByItsWeight) {
   part.positions = {{0, 0, 0}, {1, 0, 0}};
   part.normals = {{0, 0, 1}, {0, 0, 1}};
   part.tangents = {{1, 0, 0, -1}, {1, 0, 0, -1}};
-  const std::vector<MorphTarget> targets = {{.positions = {{0, 1, 0}, {0, 2, 0}}, .normals = {}, .tangents = {}},
-                                            {.positions = {{0, 0, 4}, {0, 0, 8}},
-                                             .normals = {{1, 0, -1}, {0, 0, 0}},
-                                             .tangents = {{0, 0, 2}, {0, 0, 0}}},
-                                            {.positions = {{9, 9, 9}, {9, 9, 9}}, .normals = {}, .tangents = {}}};
+  const std::vector<MorphTarget> targets = {
+      {.positions = {{0, 1, 0}, {0, 2, 0}}, .normals = {}, .tangents = {}},
+      {.positions = {{0, 0, 4}, {0, 0, 8}}, .normals = {{1, 0, -1}, {0, 0, 0}}, .tangents = {{0, 0, 2}, {0, 0, 0}}},
+      {.positions = {{9, 9, 9}, {9, 9, 9}}, .normals = {}, .tangents = {}}};
   morph(part, targets, std::vector<float>{2.0f, 0.5f});  // the third target has no weight
   EXPECT_EQ(part.positions[0], vec3(0, 2, 2));
   EXPECT_EQ(part.positions[1], vec3(1, 4, 4));
@@ -73,13 +72,14 @@ TEST(GltfMorph, NodesOfDifferentWeightsHaveMeshesOfTheirOwn) {
 
 TEST(GltfMorph, SparseTargetsAndNormals) {
   GltfBuilder b;
-  const int sparse = b.add("accessors", {{"type", "VEC3"},
-                                         {"componentType", test_files::k_float},
-                                         {"count", 3},
-                                         {"sparse",
-                                          {{"count", 1},
-                                           {"indices", {{"bufferView", b.view_of(std::vector<uint16_t>{2})}, {"componentType", 5123}}},
-                                           {"values", {{"bufferView", b.view_of(std::vector<vec3>{{0, 0, 3}})}}}}}});
+  const int sparse =
+      b.add("accessors", {{"type", "VEC3"},
+                          {"componentType", test_files::k_float},
+                          {"count", 3},
+                          {"sparse",
+                           {{"count", 1},
+                            {"indices", {{"bufferView", b.view_of(std::vector<uint16_t>{2})}, {"componentType", 5123}}},
+                            {"values", {{"bufferView", b.view_of(std::vector<vec3>{{0, 0, 3}})}}}}}});
   const int normals = b.positions({{0, 0, 0}, {0, 0, 0}, {3, 0, 0}});
   b.mesh({{"POSITION", b.positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})},
           {"NORMAL", b.positions(std::vector<vec3>(3, vec3(0, 0, 1)))}},

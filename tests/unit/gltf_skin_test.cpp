@@ -53,7 +53,8 @@ struct Leg {
   Leg() {
     const std::vector<vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}, {1, 2, 0}};
     const std::vector<uint8_t> joints = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
-    const std::vector<vec4> weights = {{1, 0, 0, 0}, {1, 0, 0, 0}, {0.5f, 0.5f, 0, 0}, {0.5f, 0.5f, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
+    const std::vector<vec4> weights = {{1, 0, 0, 0},       {1, 0, 0, 0}, {0.5f, 0.5f, 0, 0},
+                                       {0.5f, 0.5f, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
     attributes = {{"POSITION", b.positions(corners)},
                   {"JOINTS_0", b.accessor(joints, "VEC4", test_files::k_ubyte, 6)},
                   {"WEIGHTS_0", b.vec4s(weights)}};
@@ -89,9 +90,8 @@ TEST(GltfSkin, JointsCarryTheVerticesWhereverTheNodeStands) {
 TEST(GltfSkin, AnimatedJoints) {
   Leg leg;
   GltfBuilder& b = leg.b;
-  b.root["animations"] = {
-      {{"samplers", {{{"input", b.numbers({0, 1})}, {"output", b.positions({{0, 1, 0}, {0, 5, 0}})}}}},
-       {"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "translation"}}}}}}}};
+  b.root["animations"] = {{{"samplers", {{{"input", b.numbers({0, 1})}, {"output", b.positions({{0, 1, 0}, {0, 5, 0}})}}}},
+                           {"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "translation"}}}}}}}};
   EXPECT_EQ(b.load().bounds().max.y, 2.0f);
   SceneFileOptions options;
   options.params.time = 0.5f;
@@ -132,15 +132,27 @@ TEST(GltfSkin, DamageIsReportedWithItsPlace) {
     damage(leg);
     return leg.b.error();
   };
-  const auto attribute = [](Leg& leg, const char* name) -> json& { return leg.b.root["meshes"][0]["primitives"][0]["attributes"][name]; };
+  const auto attribute = [](Leg& leg, const char* name) -> json& {
+    return leg.b.root["meshes"][0]["primitives"][0]["attributes"][name];
+  };
   const std::string primitive = "test.gltf: meshes[0].primitives[0].attributes";
-  EXPECT_TRUE(error_with([](Leg& l) { l.b.root["skins"][0]["joints"] = {1}; }).starts_with(primitive + ".JOINTS_n: a joint of vertex "));
-  EXPECT_TRUE(error_with([](Leg& l) { l.b.root["skins"][0]["joints"] = {1, 9}; }).starts_with("test.gltf: skins[0].joints[1]: "));
-  EXPECT_TRUE(error_with([](Leg& l) { l.b.root["skins"][0]["joints"] = json::array(); }).starts_with("test.gltf: skins[0].joints: "));
-  EXPECT_TRUE(error_with([](Leg& l) { l.b.root["skins"][0]["joints"] = {1, 2, 2}; }).starts_with("test.gltf: skins[0].inverseBindMatrices: has 2 matrices"));
-  EXPECT_TRUE(error_with([](Leg& l) { l.b.root["skins"][0]["inverseBindMatrices"] = 0; }).starts_with("test.gltf: skins[0].inverseBindMatrices: "));
+  EXPECT_TRUE(error_with([](Leg& l) {
+                l.b.root["skins"][0]["joints"] = {1};
+              }).starts_with(primitive + ".JOINTS_n: a joint of vertex "));
+  EXPECT_TRUE(error_with([](Leg& l) {
+                l.b.root["skins"][0]["joints"] = {1, 9};
+              }).starts_with("test.gltf: skins[0].joints[1]: "));
+  EXPECT_TRUE(
+      error_with([](Leg& l) { l.b.root["skins"][0]["joints"] = json::array(); }).starts_with("test.gltf: skins[0].joints: "));
+  EXPECT_TRUE(error_with([](Leg& l) {
+                l.b.root["skins"][0]["joints"] = {1, 2, 2};
+              }).starts_with("test.gltf: skins[0].inverseBindMatrices: has 2 matrices"));
+  EXPECT_TRUE(error_with([](Leg& l) {
+                l.b.root["skins"][0]["inverseBindMatrices"] = 0;
+              }).starts_with("test.gltf: skins[0].inverseBindMatrices: "));
   EXPECT_TRUE(error_with([](Leg& l) { l.b.root["nodes"][0]["skin"] = 1; }).starts_with("test.gltf: nodes[0].skin: "));
-  EXPECT_TRUE(error_with([&](Leg& l) { attribute(l, "JOINTS_0") = attribute(l, "WEIGHTS_0"); }).starts_with(primitive + ".JOINTS_0: "));
+  EXPECT_TRUE(
+      error_with([&](Leg& l) { attribute(l, "JOINTS_0") = attribute(l, "WEIGHTS_0"); }).starts_with(primitive + ".JOINTS_0: "));
   EXPECT_TRUE(error_with([](Leg& l) {
                 l.b.root["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
               }).starts_with(primitive + ": has JOINTS_0 without WEIGHTS_0"));

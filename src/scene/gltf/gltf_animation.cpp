@@ -43,8 +43,7 @@ class AnimationReader {
     GltfCurve curve;
     curve.interpolation = read_interpolation(json);
     curve.rotation = path == "rotation";
-    curve.times =
-        accessors_.numbers(json.required_index("input", accessors_.count(), "accessors"), 1, json.where("input"));
+    curve.times = accessors_.numbers(json.required_index("input", accessors_.count(), "accessors"), 1, json.where("input"));
     for (size_t i = 1; i < curve.times.size(); ++i) {
       if (!(curve.times[i] > curve.times[i - 1]))
         json.fail_in("input", "key {} is at {} s, not after the one before it; valid: rising times", i, curve.times[i]);
@@ -56,8 +55,9 @@ class AnimationReader {
     curve.width = curve.values.size() / keys;
     const bool fits = curve.values.size() % keys == 0 && curve.width > 0;
     if (!fits || (path != "weights" && curve.width != static_cast<size_t>(components))) {
-      json.fail_in("output", "has {} elements; valid: {} for each of {} keys{}", curve.values.size() / static_cast<size_t>(components),
-                   keys / curve.times.size(), curve.times.size(), path == "weights" ? " and each morph target" : "");
+      json.fail_in("output", "has {} elements; valid: {} for each of {} keys{}",
+                   curve.values.size() / static_cast<size_t>(components), keys / curve.times.size(), curve.times.size(),
+                   path == "weights" ? " and each morph target" : "");
     }
     return curve;
   }
@@ -143,8 +143,9 @@ MorphWeights apply_animation(const GltfDocument& document, const GltfAccessors& 
     if (path == "weights") weights[node] = value;
   }
   if (left_out > 0) {
-    log_warning("{}: {}: {} channels move nothing here; read are translation, rotation, scale (of nodes without matrix) and weights",
-                document.name(), json.place(), left_out);
+    log_warning(
+        "{}: {}: {} channels move nothing here; read are translation, rotation, scale (of nodes without matrix) and weights",
+        document.name(), json.place(), left_out);
   }
   return weights;
 }

@@ -76,6 +76,10 @@ GltfDocument::GltfDocument(Bytes bytes, const std::string& name, const fs::path&
   check_required_extensions();
   buffer_json_ = root().objects("buffers");
   buffers_.resize(buffer_json_.size());
+  for (const GltfValue& json : buffer_json_) {
+    // What is wrong with the text of the document itself is wrong whether or not something reads it.
+    if (const std::string uri = json.text("uri", ""); uri.starts_with("data:")) digits_of(uri, json.where("uri"));
+  }
   read_views();
 }
 
@@ -158,19 +162,23 @@ std::optional<fs::path> GltfDocument::find_file(const std::string& uri) const {
   return fs::is_regular_file(plain, error) ? std::optional(plain) : std::nullopt;
 }
 
+std::string_view GltfDocument::digits_of(std::string_view uri, const std::string& place) const {
+  const size_t comma = uri.find(',');
+  const std::string_view header = uri.substr(0, comma);
+  // data:[type][;name=value]...;base64,
+  if (comma == uri.npos || !header.ends_with(";base64") || header.find(";;") != header.npos) {
+    fail("{}: {}: is a malformed data URI; valid: data:TYPE;base64,DIGITS", name_, place);
+  }
+  return uri.substr(comma + 1);
+}
+
 std::vector<std::byte> GltfDocument::read_uri(const std::string& uri, const std::string& place) const {
   if (!uri.starts_with("data:")) {
     const auto path = find_file(uri);
     if (!path) fail("{}: {}: {} is not there; valid: a file's path relative to this one, or a data: URI", name_, place, uri);
     return read_file(*path);
   }
-  const size_t comma = uri.find(',');
-  const std::string_view header = std::string_view(uri).substr(0, comma);
-  // data:[type][;name=value]...;base64,
-  if (comma == uri.npos || !header.ends_with(";base64") || header.find(";;") != header.npos) {
-    fail("{}: {}: is a malformed data URI; valid: data:TYPE;base64,DIGITS", name_, place);
-  }
-  auto bytes = base64_decoded(std::string_view(uri).substr(comma + 1));
+  auto bytes = base64_decoded(digits_of(uri, place));
   if (!bytes) fail("{}: {}: holds a character that is not base64", name_, place);
   return std::move(*bytes);
 }

@@ -32,7 +32,7 @@ class GltfBudget {
 class GltfDocument {
  public:
   // `bytes` must outlive the document. Refuses what is damaged as a container, and required extensions that may change what
-  // stands where and are not read. Buffers are read when something needs them: others may be damaged or missing.
+  // stands where and are not read. Buffers are read when something needs them: others may be missing or too short.
   GltfDocument(Bytes bytes, const std::string& name, const std::filesystem::path& folder);
 
   GltfValue root() const { return GltfValue(json_, name_, ""); }
@@ -73,6 +73,7 @@ class GltfDocument {
     std::string place;
   };
 
+  std::string_view digits_of(std::string_view data_uri, const std::string& place) const;
   void split_binary(Bytes bytes);
   void parse_json(std::string_view text, size_t offset);
   void check_asset() const;

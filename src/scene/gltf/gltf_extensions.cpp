@@ -7,16 +7,32 @@
 namespace gnomon {
 namespace {
 
-constexpr std::array<std::string_view, 12> k_read = {
-    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",         "EXT_texture_webp",
-    "KHR_draco_mesh_compression", "KHR_lights_punctual",             "KHR_materials_emissive_strength",
-    "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit",    "KHR_mesh_quantization",
-    "KHR_meshopt_compression",    "KHR_node_visibility",             "KHR_texture_transform"};
+constexpr std::array<std::string_view, 12> k_read = {"EXT_mesh_gpu_instancing",
+                                                     "EXT_meshopt_compression",
+                                                     "EXT_texture_webp",
+                                                     "KHR_draco_mesh_compression",
+                                                     "KHR_lights_punctual",
+                                                     "KHR_materials_emissive_strength",
+                                                     "KHR_materials_pbrSpecularGlossiness",
+                                                     "KHR_materials_unlit",
+                                                     "KHR_mesh_quantization",
+                                                     "KHR_meshopt_compression",
+                                                     "KHR_node_visibility",
+                                                     "KHR_texture_transform"};
 
 // After the vendor's prefix.
-constexpr std::array<std::string_view, 12> k_looks = {
-    "audio", "interactivity",   "lights",  "materials",         "mesh_features", "mesh_manifold",
-    "physics", "primitive_outline", "structural_metadata", "techniques_webgl", "texture", "xmp"};
+constexpr std::array<std::string_view, 12> k_looks = {"audio",
+                                                      "interactivity",
+                                                      "lights",
+                                                      "materials",
+                                                      "mesh_features",
+                                                      "mesh_manifold",
+                                                      "physics",
+                                                      "primitive_outline",
+                                                      "structural_metadata",
+                                                      "techniques_webgl",
+                                                      "texture",
+                                                      "xmp"};
 
 }  // namespace
 
