@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include <fmt/ranges.h>
+
 #include "base/error.h"
 #include "scene/path.h"
 
@@ -42,6 +44,13 @@ std::map<std::string, double> complete_options(const BuiltinScene& scene, const 
   return complete;
 }
 
+std::vector<std::string_view> scene_file_option_names() {
+  std::vector<std::string_view> names;
+  for (const ParamInfo& info : scene_file_params::param_table_storage()) names.push_back(info.name);
+  names.insert(names.end(), {"gltf_scene", "animation"});
+  return names;
+}
+
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -51,9 +60,19 @@ std::string lower_extension(const std::filesystem::path& path) {
 
 }  // namespace
 
-Scene load_scene(const std::string& name_or_path, const std::map<std::string, double>& options) {
+bool is_builtin_scene(std::string_view name) {
+  const auto scenes = builtin_scenes();
+  return std::any_of(scenes.begin(), scenes.end(), [&](const BuiltinScene& scene) { return scene.name == name; });
+}
+
+Scene load_scene(const std::string& name_or_path, const std::map<std::string, double>& options,
+                 const SceneFileOptions& file_options) {
   for (const BuiltinScene& builtin : builtin_scenes()) {
     if (builtin.name != name_or_path) continue;
+    if (!file_options.given.empty()) {
+      fail_usage("scene.{}: {} is a built-in scene, and this says how a file is read; valid: {}", file_options.given.front(),
+                 builtin.name, option_names(builtin));
+    }
     Scene scene = builtin.make(complete_options(builtin, options));
     if (!scene.closed_form) add_default_paths(scene);  // charts stand still: their closed forms are for one view and light
     check_scene(scene);
@@ -66,8 +85,11 @@ Scene load_scene(const std::string& name_or_path, const std::map<std::string, do
     fail_usage("{}: neither a built-in scene nor a file that can be read; valid: {}; or a path ending in .obj, .gltf or .glb",
                name_or_path, builtin_names());
   }
-  if (!options.empty()) fail_usage("scene.{}: a scene from a file has no options", options.begin()->first);
-  Scene scene = is_obj ? load_obj(path) : load_gltf(path);
+  if (!options.empty()) {
+    fail_usage("scene.{}: a scene from a file has no such option; valid: {}", options.begin()->first,
+               fmt::join(scene_file_option_names(), ", "));
+  }
+  Scene scene = is_obj ? load_obj(path, file_options) : load_gltf(path, file_options);
   add_default_paths(scene);
   return scene;
 }

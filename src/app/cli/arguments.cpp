@@ -24,6 +24,14 @@ void ViewArguments::add_to(CLI::App& command) {
   command.add_option("--light", lights,
                      std::string("'sun', 'all', name or number of a light of the scene, or ") + k_light_text_help +
                          "; repeat for several (default: the scene's first sun, else all its lights)");
+  command.add_option(
+      "--cast", casts,
+      "GLOB=on or GLOB=off: whether objects or materials of that name cast shadows; repeat for several, the last "
+      "that fits counts");
+  command.add_option("--up", up, "the axis of the file that points up: y, z, x or -z");
+  command.add_option("--gltf-scene", gltf_scene, "name or number of one of the scenes of a glTF file");
+  command.add_option("--animation", animation, "name or number of an animation of a glTF file (default: the first)");
+  command.add_option("--time", time, "seconds into the animation at which the scene is posed (default: 0)");
   command.add_option("--set", assignments, "id.key=value, e.g. pcf.size=5 or light.elevation=30 (gnomon describe TECHNIQUE)");
   command.add_option(
       "--preset", preset_names,
@@ -69,6 +77,7 @@ ViewOptions ViewArguments::view() const {
   if (given("--samples")) options.samples = samples, options.fewer_samples = false;
   if (given("--camera")) options.camera = camera;
   if (given("--light")) options.lights = lights;
+  if (given("--cast")) options.casts.insert(options.casts.end(), casts.begin(), casts.end());
   return options;
 }
 
@@ -91,6 +100,13 @@ Settings ViewArguments::settings(const std::vector<std::string>& techniques) con
   });
   Settings settings;
   assign_preset(settings, used);
+  const auto assign_scene = [&](const char* option, const char* key, const std::string& value) {
+    if (given(option)) settings.assign(fmt::format("scene.{}={}", key, value), option);
+  };
+  assign_scene("--up", "up", up == "-z" ? "minus_z" : up);
+  assign_scene("--gltf-scene", "gltf_scene", gltf_scene);
+  assign_scene("--animation", "animation", animation);
+  assign_scene("--time", "time", time);
   for (const std::string& assignment : assignments) settings.assign(assignment);
   return settings;
 }

@@ -35,7 +35,8 @@ struct ViewArguments {
   std::string scene, size = "800x600";
   uint32_t samples = 1;
   std::string camera;
-  std::vector<std::string> lights, assignments, preset_names;
+  std::vector<std::string> lights, casts, assignments, preset_names;
+  std::string up, time, gltf_scene, animation;  // each another way to say --set scene.KEY=VALUE
   std::string written_preset;
 
   void add_to(CLI::App& command);

@@ -70,7 +70,8 @@ void scale_maps(SettingsMap& values, double scale) {
 std::string BenchRun::technique() const { return spec ? spec->name : "kernel/" + run->kernel; }
 
 std::string BenchRun::view_key() const {
-  nlohmann::json key = {view.scene, view.size.x, view.size.y, view.samples, view.fewer_samples, view.camera, view.lights};
+  nlohmann::json key = {view.scene,         view.size.x, view.size.y, view.samples,
+                        view.fewer_samples, view.camera, view.lights, view.casts};
   key.push_back(settings.to_json({}));
   return key.dump();
 }

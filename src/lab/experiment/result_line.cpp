@@ -71,6 +71,7 @@ std::string repeat_command(const Session& session, const std::string& technique,
   if (view.samples != 1) command += fmt::format(" --samples {}", view.samples);
   if (!view.camera.empty()) command += " --camera " + shell_quoted(view.camera);
   if (!light.empty()) command += " --light " + shell_quoted(light);
+  for (const std::string& cast : view.casts) command += " --cast " + shell_quoted(cast);
   for (const std::string& assignment : session.settings().assignments_for(find_technique(technique))) {
     command += " --set " + shell_quoted(assignment);
   }

@@ -73,7 +73,7 @@ json value_of(const std::string& text) {
 Preset read_preset(const json& object, const std::string& name) {
   const Fields fields(
       object, name,
-      {"description", "source", "scene", "technique", "techniques", "lights", "camera", "size", "samples", "set"});
+      {"description", "source", "scene", "technique", "techniques", "lights", "casts", "camera", "size", "samples", "set"});
   Preset preset;
   preset.name = name;
   preset.description = fields.text("description").value_or("");
@@ -85,6 +85,7 @@ Preset read_preset(const json& object, const std::string& name) {
   preset.techniques = fields.texts(fields.has("technique") ? "technique" : "techniques");
   preset.together = fields.has("technique");
   preset.lights = fields.texts("lights");
+  preset.casts = fields.texts("casts");
   if (fields.has("size")) preset.size = read_size(fields);
   if (fields.has("samples")) preset.samples = read_samples(fields);
   if (fields.has("set")) preset.set = read_set(fields);
@@ -115,6 +116,7 @@ void overlay(Preset& base, const Preset& top) {
   if (top.camera) base.camera = top.camera;
   if (!top.techniques.empty()) base.techniques = top.techniques, base.together = top.together;
   if (!top.lights.empty()) base.lights = top.lights;
+  base.casts.insert(base.casts.end(), top.casts.begin(), top.casts.end());
   if (top.size) base.size = top.size;
   if (top.samples) base.samples = top.samples;
   base.set.insert(base.set.end(), top.set.begin(), top.set.end());
@@ -127,6 +129,7 @@ std::string preset_text(const Preset& preset) {
   if (preset.scene) object["scene"] = *preset.scene;
   if (!preset.techniques.empty()) object[preset.together ? "technique" : "techniques"] = preset.techniques;
   if (!preset.lights.empty()) object["lights"] = preset.lights;
+  if (!preset.casts.empty()) object["casts"] = preset.casts;
   if (preset.camera) object["camera"] = *preset.camera;
   if (preset.size) object["size"] = {preset.size->x, preset.size->y};
   if (preset.samples) {

@@ -1,6 +1,7 @@
 // Presets: settings of a run as a small JSON file that people write and share (docs/measuring.md, "Presets").
 //   {"description": "...", "source": "paper, year", "scene": "terrain", "techniques": ["cascaded/vsm"], "lights": ["sun"],
-//    "camera": "default", "size": [800, 600], "samples": 8 or "up to 8", "set": {"cascaded.size": 2048}}
+//    "casts": ["ground*=off"], "camera": "default", "size": [800, 600], "samples": 8 or "up to 8", "set": {"cascaded.size":
+//    2048}}
 // Every key is optional. "technique" instead of "techniques": a list of it is one choice, of which each light takes the first
 // that supports its kind; "techniques" are alternatives.
 #pragma once
@@ -26,7 +27,7 @@ struct Preset {
   std::string name;  // of a built-in one: of its file; else the path. Stands in errors.
   std::string description, source;
   std::optional<std::string> scene, camera;
-  std::vector<std::string> techniques, lights;
+  std::vector<std::string> techniques, lights, casts;
   bool together = false;  // the techniques: "technique"
   std::optional<uvec2> size;
   std::optional<SampleCount> samples;

@@ -50,6 +50,7 @@ void apply_view(const Preset& preset, ViewOptions& view) {
   if (preset.samples) view.samples = preset.samples->count, view.fewer_samples = preset.samples->at_most;
   if (preset.camera) view.camera = *preset.camera;
   if (!preset.lights.empty()) view.lights = preset.lights;
+  view.casts.insert(view.casts.end(), preset.casts.begin(), preset.casts.end());
 }
 
 Preset effective_preset(const ViewOptions& view, const std::vector<std::string>& techniques, const Settings& settings) {
@@ -57,6 +58,7 @@ Preset effective_preset(const ViewOptions& view, const std::vector<std::string>&
   preset.scene = view.scene;
   preset.techniques = techniques;
   preset.lights = view.lights;
+  preset.casts = view.casts;
   if (!view.camera.empty()) preset.camera = view.camera;
   preset.size = view.size;
   preset.samples = SampleCount{view.samples, view.fewer_samples};
@@ -68,7 +70,9 @@ Preset effective_preset(const ViewOptions& view, const std::vector<std::string>&
       if (!of_scene || settings.was_set(key)) preset.set.emplace_back(key, block.text(info.name));
     }
   };
-  for (const auto& [id, table] : lab_tables()) add_block(id, settings.block(id));
+  for (const auto& [id, table] : lab_tables()) {
+    if (id != "scene") add_block(id, settings.block(id));
+  }
   const auto specs = techniques_named(techniques);
   for (const TechniqueSpec* spec : specs) {
     for (const auto& [id, block] : settings.for_technique(*spec)) add_block(id, block);
@@ -81,7 +85,7 @@ Preset effective_preset(const ViewOptions& view, const std::vector<std::string>&
                                   [&](const TechniqueSpec* spec) { return spec->default_settings().contains(id); });
     if (used) preset.set.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
   }
-  for (const auto& [name, value] : settings.scene_options()) preset.set.emplace_back("scene." + name, fmt::format("{}", value));
+  for (const auto& [name, value] : settings.scene_texts()) preset.set.emplace_back("scene." + name, value);
   return preset;
 }
 

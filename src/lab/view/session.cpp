@@ -60,7 +60,7 @@ void settle_samples(ViewOptions& options, const DeviceInfo& device) {
 }
 
 Session::Session(Device& device, const ViewOptions& options, Settings settings)
-    : Session(device, options, settings, load_scene(options.scene, settings.scene_options())) {}
+    : Session(device, options, settings, load_scene(options.scene, settings.scene_options(), settings.scene_file_options())) {}
 
 Session::Session(Device& device, const ViewOptions& options, Settings settings, Scene scene)
     : device_(device), options_(options), settings_(std::move(settings)), scene_(std::move(scene)) {

@@ -23,6 +23,8 @@ struct ViewOptions {
   // Empty: the first directional light, else all lights, else the sun of the light settings. Else "sun", "all", names, numbers,
   // lights as text (lab/view/light_text.h).
   std::vector<std::string> lights;
+  std::vector<std::string>
+      casts;  // "GLOB=on" or "GLOB=off" of objects and materials (scene/casting.h); the last that fits counts
 };
 
 // Settles `fewer_samples` for that device.

@@ -26,7 +26,7 @@ const std::map<std::string, ParamTable, std::less<>>& technique_tables() {
 }
 
 std::string valid_ids() {
-  std::set<std::string> ids = {"scene"};
+  std::set<std::string> ids;
   for (const auto& [id, table] : lab_tables()) ids.insert(id);
   for (const auto& [id, table] : technique_tables()) {
     if (!table.empty()) ids.insert(id);
@@ -37,11 +37,9 @@ std::string valid_ids() {
 }  // namespace
 
 std::vector<std::pair<std::string, ParamTable>> lab_tables() {
-  return {{"light", light_params::param_table_storage()},
-          {"camera", camera_params::param_table_storage()},
-          {"frame", frame_params::param_table_storage()},
-          {"reference", reference_params::param_table_storage()},
-          {"measure", measure_params::param_table_storage()}};
+  return {{"light", light_params::param_table_storage()},     {"camera", camera_params::param_table_storage()},
+          {"frame", frame_params::param_table_storage()},     {"reference", reference_params::param_table_storage()},
+          {"measure", measure_params::param_table_storage()}, {"scene", scene_file_params::param_table_storage()}};
 }
 
 Settings::Settings() {
@@ -64,13 +62,10 @@ void Settings::assign(std::string_view assignment, std::string_view source) {
   const std::string where = source == "--set" ? id + "." + name : fmt::format("{} {}.{}", source, id, name);
   if (!light.empty() && !is_technique_part(id))
     fail_usage("{} {}: '{}' is no part of a technique; only those have values of their own for a light", source, whole, id);
-  if (const auto block = blocks_.find(id); block != blocks_.end()) {
+  if (id == "scene") {
+    assign_to_scene(name, value, where);
+  } else if (const auto block = blocks_.find(id); block != blocks_.end()) {
     block->second.set(name, value, where);
-  } else if (id == "scene") {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    if (error != std::errc() || end != value.data() + value.size()) fail_usage("{}: '{}' is not a number", where, value);
-    scene_options_[name] = number;
   } else if (const auto table = technique_tables().find(id); table != technique_tables().end()) {
     ParamBlock(table->second).set(name, value, where);  // refuses a bad value now
     of_techniques_.push_back({id, name, value, light, std::string(source)});
@@ -78,6 +73,44 @@ void Settings::assign(std::string_view assignment, std::string_view source) {
     fail_usage("{} {}: unknown id '{}'; valid: {}", source, assignment, id, valid_ids());
   }
   assignments_.emplace_back(whole);
+}
+
+// What a file is read with has a table; anything else is an option of a built-in scene, which checks it itself.
+void Settings::assign_to_scene(const std::string& name, const std::string& value, const std::string& where) {
+  ParamBlock& block = blocks_.at("scene");
+  if (std::any_of(block.table().begin(), block.table().end(), [&](const ParamInfo& info) { return info.name == name; })) {
+    block.set(name, value, where);
+  } else if (name == "gltf_scene") {
+    gltf_scene_ = value;
+  } else if (name == "animation") {
+    animation_ = value;
+  } else {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (error != std::errc() || end != value.data() + value.size()) fail_usage("{}: '{}' is not a number", where, value);
+    scene_options_[name] = number;
+  }
+}
+
+SceneFileOptions Settings::scene_file_options() const {
+  SceneFileOptions options = {block("scene").as<scene_file_params::Params>(), gltf_scene_, animation_, {}};
+  const auto note = [&](std::string_view name) {
+    if (was_set("scene." + std::string(name))) options.given.emplace_back(name);
+  };
+  for (const ParamInfo& info : block("scene").table()) note(info.name);
+  note("gltf_scene");
+  note("animation");
+  return options;
+}
+
+std::map<std::string, std::string> Settings::scene_texts() const {
+  std::map<std::string, std::string> texts;
+  for (const auto& [name, value] : scene_options_) texts[name] = fmt::format("{}", value);
+  if (!scene_is_file_) return texts;
+  for (const ParamInfo& info : block("scene").table()) texts[std::string(info.name)] = block("scene").text(info.name);
+  if (!gltf_scene_.empty()) texts["gltf_scene"] = gltf_scene_;
+  if (!animation_.empty()) texts["animation"] = animation_;
+  return texts;
 }
 
 bool Settings::is_technique_part(std::string_view id) { return technique_tables().contains(id); }
@@ -137,6 +170,7 @@ std::vector<std::string> Settings::assignments_for(const TechniqueSpec& spec) co
 }
 
 void Settings::complete_scene_options(const std::string& scene) {
+  scene_is_file_ = !is_builtin_scene(scene);
   for (const BuiltinScene& builtin : builtin_scenes()) {
     if (builtin.name != scene) continue;
     for (const BuiltinOption& option : builtin.options) scene_options_.try_emplace(option.name, option.default_value);
@@ -156,7 +190,10 @@ nlohmann::json Settings::to_json(const SettingsMap& technique) const {
   nlohmann::json object = nlohmann::json::object();
   for (const auto& [id, block] : technique) object[id] = block.to_json();
   for (const auto& [id, block] : blocks_) object[id] = block.to_json();
-  object["scene"] = scene_options_;
+  if (!scene_is_file_) object["scene"] = nlohmann::json::object();
+  object["scene"].update(nlohmann::json(scene_options_));
+  if (!gltf_scene_.empty()) object["scene"]["gltf_scene"] = gltf_scene_;
+  if (!animation_.empty()) object["scene"]["animation"] = animation_;
   return object;
 }
 

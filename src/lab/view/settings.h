@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "base/params.h"
+#include "scene/load.h"
 #include "shadow/technique.h"
 
 namespace gnomon {
 
-// Ids that belong to the laboratory, not to a technique: light, camera, frame, reference, measure.
+// Ids that belong to the laboratory, not to a technique: light, camera, frame, reference, measure; scene, for files.
 std::vector<std::pair<std::string, ParamTable>> lab_tables();
 
 class Settings {
@@ -34,10 +35,13 @@ class Settings {
   SettingsMap for_technique(const TechniqueSpec& spec, std::string_view light = {}) const;
   // Names of lights that assignments are for.
   std::vector<std::string> lights_named() const;
-  // Options of a built-in scene.
+  // Options of a built-in scene, and how a file is read.
   const std::map<std::string, double>& scene_options() const { return scene_options_; }
-  // Adds the defaults of a built-in scene's options, for the record.
+  SceneFileOptions scene_file_options() const;
+  // Adds the defaults of what the scene, built in or from a file, can be asked for, for the record.
   void complete_scene_options(const std::string& scene);
+  // All of these as texts.
+  std::map<std::string, std::string> scene_texts() const;
   // Throws Error (usage) when an assignment belongs to no technique of the list: a setting that does nothing is a mistake.
   void check_used(const std::vector<const TechniqueSpec*>& techniques) const;
 
@@ -49,12 +53,16 @@ class Settings {
   std::vector<std::string> assignments_for(const TechniqueSpec& spec) const;
 
  private:
+  void assign_to_scene(const std::string& name, const std::string& value, const std::string& where);
+
   struct Assignment {
     std::string id, name, value, light, source;  // light: empty for all; source: where it stands, for messages
   };
   std::map<std::string, ParamBlock, std::less<>> blocks_;
   std::vector<Assignment> of_techniques_;
   std::map<std::string, double> scene_options_;
+  std::string gltf_scene_, animation_;
+  bool scene_is_file_ = false;
   std::vector<std::string> assignments_;
 };
 

@@ -269,14 +269,15 @@ class ObjLoader {
 
 }  // namespace
 
-Scene load_obj_from_memory(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
+Scene load_obj_from_memory(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                           const SceneFileOptions& /*options*/) {
   return ObjLoader(text, name).load(folder);
 }
 
-Scene load_obj(const std::filesystem::path& path) {
+Scene load_obj(const std::filesystem::path& path, const SceneFileOptions& options) {
   const std::string text = read_text_file(path);
   const auto folder = path.parent_path();
-  return load_obj_from_memory(text, path.string(), folder.empty() ? "." : folder);
+  return load_obj_from_memory(text, path.string(), folder.empty() ? "." : folder, options);
 }
 
 }  // namespace gnomon

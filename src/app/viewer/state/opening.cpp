@@ -10,7 +10,8 @@ Opening::Opening(ViewState state) : state_(std::move(state)) {
   scene_ = std::async(std::launch::async, [this] {
     watch_.watch_this_thread();
     Cancellation::heed(&cancellation_);
-    return load_scene(state_.view.scene, state_.settings().scene_options());
+    const Settings settings = state_.settings();
+    return load_scene(state_.view.scene, settings.scene_options(), settings.scene_file_options());
   });
 }
 

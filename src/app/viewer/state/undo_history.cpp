@@ -25,6 +25,7 @@ std::vector<std::string> different_parts(const ViewState& a, const ViewState& b)
   // The first step of a walk also pins the lens of the camera that was left.
   if (a.view.camera != b.view.camera) parts.emplace_back("camera");
   if (a.view.lights != b.view.lights) parts.emplace_back("lights");
+  if (a.view.casts != b.view.casts) parts.emplace_back("casts");
   if (a.view.samples != b.view.samples) parts.emplace_back("samples");
   if (a.techniques != b.techniques) parts.emplace_back("techniques");
   if (a.base.assignments() != b.base.assignments()) parts.emplace_back("settings");

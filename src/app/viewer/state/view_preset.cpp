@@ -36,7 +36,7 @@ ViewState with_preset(const ViewState& state, const Preset& preset, bool keep_vi
     fail_usage("{}: 'techniques' is \"all\"; valid here: names of techniques", preset.name);
   }
   if (preset.samples) next.view.samples = preset.samples->count, next.view.fewer_samples = preset.samples->at_most;
-  if (!keeps) next.view.camera = preset.camera.value_or(""), next.view.lights = preset.lights;
+  if (!keeps) next.view.camera = preset.camera.value_or(""), next.view.lights = preset.lights, next.view.casts = preset.casts;
   next.base = {};
   next.edits.clear();
   // What a scene's options were when it was built stays with it; so do place and light, where they are kept.

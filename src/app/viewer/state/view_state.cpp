@@ -72,6 +72,7 @@ std::vector<std::string> ViewState::words(const std::string& subcommand, const s
   if (view.samples != 1) add_option("--samples", std::to_string(view.samples));
   if (!view.camera.empty()) add_option("--camera", view.camera);
   for (const std::string& light : view.lights) add_option("--light", light);
+  for (const std::string& cast : view.casts) add_option("--cast", cast);
   add_option(technique_option.c_str(), fmt::format("{}", fmt::join(techniques, ",")));
   const auto add = [&](const std::string& key, const std::string& value) {
     const std::string id = part_of(key);
@@ -91,8 +92,8 @@ std::vector<std::string> ViewState::words(const std::string& subcommand, const s
 }
 
 bool ViewState::same_but_camera(const ViewState& other) const {
-  return view.lights == other.view.lights && view.samples == other.view.samples && techniques == other.techniques &&
-         edits == other.edits && base.assignments() == other.base.assignments();
+  return view.lights == other.view.lights && view.casts == other.view.casts && view.samples == other.view.samples &&
+         techniques == other.techniques && edits == other.edits && base.assignments() == other.base.assignments();
 }
 
 ViewState state_for_scene(const ViewState& state, const std::string& scene) {
