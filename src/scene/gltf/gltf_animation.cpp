@@ -35,8 +35,8 @@ float hermite(float p0, float m0, float p1, float m1, float t) {
 
 class AnimationReader {
  public:
-  AnimationReader(const GltfDocument& document, const GltfAccessors& accessors, const GltfValue& json)
-      : document_(document), accessors_(accessors), samplers_(json.objects("samplers")) {}
+  AnimationReader(const GltfAccessors& accessors, const GltfValue& json)
+      : accessors_(accessors), samplers_(json.objects("samplers")) {}
 
   GltfCurve read_curve(const GltfValue& channel, const std::string& path) const {
     const GltfValue& json = samplers_[static_cast<size_t>(channel.required_index("sampler", samplers_.size(), "samplers"))];
@@ -71,7 +71,6 @@ class AnimationReader {
     json.fail_in("interpolation", "is \"{}\"; valid: LINEAR, STEP, CUBICSPLINE", text);
   }
 
-  const GltfDocument& document_;
   const GltfAccessors& accessors_;
   std::vector<GltfValue> samplers_;
 };
@@ -124,7 +123,7 @@ MorphWeights apply_animation(const GltfDocument& document, const GltfAccessors& 
     log_info("{}: stands as at {} s of its animation {}, one of {}; --animation and --time choose", document.name(), time_s,
              named(json, chosen), animations.size());
   }
-  const AnimationReader reader(document, accessors, json);
+  const AnimationReader reader(accessors, json);
   size_t left_out = 0;
   for (const GltfValue& channel : json.objects("channels")) {
     const GltfValue target = channel.required_object("target");
