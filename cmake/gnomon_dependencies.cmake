@@ -24,6 +24,8 @@ target_link_libraries(gnomon_fmt INTERFACE fmt::fmt-header-only)
 target_compile_definitions(gnomon_fmt INTERFACE SPDLOG_FMT_EXTERNAL)
 
 find_path(STB_INCLUDE stb_image.h PATH_SUFFIXES stb REQUIRED)
+find_path(WEBP_INCLUDE webp/decode.h REQUIRED)
+find_library(WEBP_LIBRARY webp REQUIRED)
 find_path(VMA_INCLUDE vk_mem_alloc.h REQUIRED)
 find_path(TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)
 find_path(DRACO_INCLUDE draco/compression/decode.h REQUIRED)

@@ -31,6 +31,7 @@ packages=(
   "libdraco-dev|KHR_draco_mesh_compression"
   "libmeshoptimizer-dev|EXT_meshopt_compression, vertex cache order"
   "libstb-dev|PNG and JPEG"
+  "libwebp-dev|WebP pictures"
   "libopenexr-dev|EXR pictures"
   "libembree-dev|ray-traced reference on the CPU"
   "libtbb-dev|threads of the CPU reference"
