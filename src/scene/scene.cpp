@@ -72,7 +72,7 @@ class SceneHash {
   void add(const UvTransform& transform) { values(transform.row_u, transform.row_v); }
   void add(const Material& m) {
     values(m.base_colour, m.base_colour_texture, m.normal_texture, m.normal_scale, m.masked, m.alpha_cutoff, m.double_sided);
-    values(m.specular, m.shininess, m.emissive);
+    values(m.specular, m.shininess, m.emissive, m.casts, m.half_casts, m.named_cast.rule, m.named_cast.on);
     add(m.base_colour_uv);
     add(m.normal_uv);
   }
@@ -86,7 +86,9 @@ class SceneHash {
     values(part.material);
   }
   void add(const Mesh& mesh) { all(mesh.parts); }
-  void add(const Object& object) { values(object.mesh, object.world_from_object, object.casts); }
+  void add(const Object& object) {
+    values(object.mesh, object.world_from_object, object.casts, object.named_cast.rule, object.named_cast.on);
+  }
   void add(const Light& light) {
     values(light.kind, light.position, light.direction, light.colour, light.intensity, light.angular_diameter);
     values(light.radius, light.range, light.inner_cone, light.outer_cone, light.beam_radius);

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "scene/finish_file_scene.h"
 #include "scene/load.h"
 #include "scene/obj/obj_materials.h"
 #include "scene/obj/obj_mesh.h"
@@ -38,7 +39,6 @@ class ObjLoader {
     if (material_names_.empty()) material_names_.emplace_back();
     add_obj_materials(scene, source_, folder, libraries_, material_names_);
     build(scene);
-    check_scene(scene);
     return scene;
   }
 
@@ -270,8 +270,10 @@ class ObjLoader {
 }  // namespace
 
 Scene load_obj_from_memory(std::string_view text, const std::string& name, const std::filesystem::path& folder,
-                           const SceneFileOptions& /*options*/) {
-  return ObjLoader(text, name).load(folder);
+                           const SceneFileOptions& options) {
+  Scene scene = ObjLoader(text, name).load(folder);
+  finish_file_scene(scene, options);
+  return scene;
 }
 
 Scene load_obj(const std::filesystem::path& path, const SceneFileOptions& options) {

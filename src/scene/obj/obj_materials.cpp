@@ -285,6 +285,7 @@ void add_obj_materials(Scene& scene, const std::string& source, const fs::path& 
     Material material = mtl && !name.empty() ? maker.make(*mtl) : Material{};
     material.name = name.empty() ? "default" : name;
     material.double_sided = true;  // the format knows no culling, and files wind their faces as they like
+    material.blended = material.base_colour.w < 1.0f;
     if (mtl && !mtl->alpha_texname.empty() && !material.masked) solid.push_back(material.name);
     scene.materials.push_back(std::move(material));
   }
