@@ -1,20 +1,19 @@
 // One rule for the loaders of all formats.
 #include "scene/blended.h"
 
-#include <algorithm>
 #include <string_view>
 
 #include "base/log.h"
-#include "scene/texture_tools.h"
+#include "scene/lost_pictures.h"
 
 namespace gnomon {
 namespace {
 
 using namespace scene_file_params;  // blend_casts_opaque, _mask, _none
 
-void settle(Material& material, bool holes, uint32_t rule) {
+void settle(Material& material, uint32_t rule) {
   const float alpha = material.base_colour.w;
-  material.masked = holes;
+  const bool holes = material.masked;
   if (rule == blend_casts_none) material.casts = false;
   if (rule == blend_casts_mask) material.casts = alpha >= 0.5f, material.half_casts = holes;
   // To the camera the texture alone says where there is something: as a share of the material's own alpha.
@@ -32,21 +31,15 @@ std::string_view outcome(uint32_t rule) {
 
 void settle_blended(Scene& scene, const SceneFileOptions& options) {
   const uint32_t rule = options.params.blend_casts;
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
   for (Material& material : scene.materials) {
     if (!material.blended) continue;
-    const bool holes = material.base_colour_texture != k_no_texture &&
-                       has_transparency(scene.textures[static_cast<size_t>(material.base_colour_texture)].image);
-    if (holes || material.base_colour.w < 1.0f) names.push_back(material.name);
-    settle(material, holes, rule);
+    if (material.masked || material.base_colour.w < 1.0f) names.push_back(material.name);
+    settle(material, rule);
   }
   if (names.empty()) return;
-  constexpr size_t k_shown = 3;
-  std::string list;
-  for (size_t i = 0; i < std::min(names.size(), k_shown); ++i) list += (i ? ", '" : "'") + std::string(names[i]) + "'";
-  if (names.size() > k_shown) list += fmt::format(" and {} more", names.size() - k_shown);
   log_warning("{}: blended materials: {}; {} (scene.blend_casts, or --cast NAME=on|off)",
-              scene.source.empty() ? scene.name : scene.source, list, outcome(rule));
+              scene.source.empty() ? scene.name : scene.source, first_names(names), outcome(rule));
 }
 
 }  // namespace gnomon

@@ -5,8 +5,9 @@
 
 namespace gnomon {
 
-// Settles what of them casts (scene.blend_casts) and says it once, for all of them. Their alpha is that of base colour and
-// texture. The camera sees them as solid, but for what their texture leaves below half.
+// Settles what of them casts (scene.blend_casts) and says it once, for all of them. Their alpha is that of the base colour
+// and, where the loader made them masked, of the texture. The camera sees them as solid, but for what their texture leaves
+// below half.
 void settle_blended(Scene& scene, const SceneFileOptions& options);
 
 }  // namespace gnomon

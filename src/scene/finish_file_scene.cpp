@@ -41,8 +41,9 @@ void hint_at_other_up(const Scene& scene) {
   const bool thin_z = extent.z < k_thin * extent.y && extent.x > k_wide * extent.y;
   const bool thin_x = extent.x < k_thin * extent.y && extent.z > k_wide * extent.y;
   if (!thin_z && !thin_x) return;
-  log_info("{}: {:.3g} m high and only {:.3g} m {}: a wall, or a model whose {} axis points up; for that: --up {}", scene.source,
-           extent.y, thin_z ? extent.z : extent.x, thin_z ? "deep" : "wide", thin_z ? "z" : "x", thin_z ? "z (or -z)" : "x");
+  log_info("{}: {:.3g} m high and only {:.3g} m {}: a wall, or a model whose {} axis points up; for that: --up {}",
+           scene.source, extent.y, thin_z ? extent.z : extent.x, thin_z ? "deep" : "wide", thin_z ? "z" : "x",
+           thin_z ? "z (or -z)" : "x");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string&
   scene.name = std::filesystem::path(name).filename().string();
   const GltfAccessors accessors(document);
   GltfMaterials materials(document, scene);
-  add_gltf_nodes(document, accessors, read_gltf_meshes(document, accessors, materials), scene);
+  add_gltf_nodes(document, accessors, read_gltf_meshes(document, accessors, materials), options, scene);
   if (scene.materials.empty()) materials.default_material();
   finish_file_scene(scene, options);
   return scene;
