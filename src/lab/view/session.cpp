@@ -8,6 +8,7 @@
 #include "base/log.h"
 #include "lab/view/lab_params.h"
 #include "scene/casting.h"
+#include "scene/drawable.h"
 #include "scene/load.h"
 
 namespace gnomon {
@@ -66,6 +67,7 @@ Session::Session(Device& device, const ViewOptions& options, Settings settings)
 Session::Session(Device& device, const ViewOptions& options, Settings settings, Scene scene)
     : device_(device), options_(options), settings_(std::move(settings)), scene_(std::move(scene)) {
   settle_samples(options_, device_.info());
+  check_drawable(scene_);
   apply_casting(scene_, options_.casts);
   warn_of_coarse_coordinates(scene_);
   settings_.complete_scene_options(options_.scene);
