@@ -11,7 +11,7 @@ for argument in "$@"; do
     *) echo "format.sh: unknown option '$argument'; valid: --check" >&2; exit 2 ;;
   esac
 done
-mapfile -d '' shaders < <(git ls-files -z | grep -zE '^src/.*\.(glsl|comp|vert|frag|geom|mesh|task|rgen|rmiss|rahit|rchit|in)$')
+mapfile -d '' shaders < <(git ls-files -z 'src/*.'{glsl,comp,vert,frag,geom,mesh,task,rgen,rmiss,rahit,rchit,in})
 long=$(awk 'length($0) > 128 {print FILENAME ":" FNR ": " length($0) " columns; a line of a shader has 128 at most"}' "${shaders[@]}")
 if [[ -n $long ]]; then printf '%s\n' "$long" >&2; exit 1; fi
 
