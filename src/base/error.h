@@ -14,7 +14,8 @@ enum class ExitCode : int { ok = 0, failure = 1, usage = 2, device = 3, threshol
 
 class Error : public std::runtime_error {
  public:
-  explicit Error(const std::string& message, ExitCode code = ExitCode::failure) : std::runtime_error(message), code_(code) {}
+  // What a file put into the message is shown as text (base/visible_text.h).
+  explicit Error(const std::string& message, ExitCode code = ExitCode::failure);
   ExitCode code() const noexcept { return code_; }
 
  private:

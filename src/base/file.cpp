@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -20,6 +21,13 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
+// What a clone without Git LFS has in place of each large file. No file that is read here is one, whatever its type.
+void refuse_lfs_pointer(std::span<const std::byte> bytes, const std::filesystem::path& path) {
+  const std::string_view start(reinterpret_cast<const char*>(bytes.data()), std::min<size_t>(bytes.size(), 64));
+  if (start.starts_with("version https://git-lfs.github.com/spec/"))
+    fail("{}: is a Git LFS pointer, not the file itself; 'git lfs pull' in its folder fetches the file", path.string());
+}
+
 }  // namespace
 
 std::vector<std::byte> read_file(const std::filesystem::path& path) {
@@ -36,6 +44,7 @@ std::vector<std::byte> read_file(const std::filesystem::path& path) {
     check_cancelled();
   }
   if (std::ferror(file.get())) fail("{}: reading failed: {}", path.string(), std::strerror(errno));
+  refuse_lfs_pointer(bytes, path);
   return bytes;
 }
 

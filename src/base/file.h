@@ -11,7 +11,7 @@
 
 namespace gnomon {
 
-// Throws Error (names the path and the system's reason).
+// Throws Error (names the path and the system's reason; a Git LFS pointer is no file).
 std::vector<std::byte> read_file(const std::filesystem::path& path);
 std::string read_text_file(const std::filesystem::path& path);
 

@@ -7,8 +7,12 @@
 #include <ImfOutputFile.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -39,16 +43,60 @@ struct FreePixels {
 
 const stbi_uc* bytes_of(std::span<const std::byte> encoded) { return reinterpret_cast<const stbi_uc*>(encoded.data()); }
 
+// By the first bytes, for who named a picture of a kind that is not read here.
+std::string_view format_name(std::span<const std::byte> encoded) {
+  const std::string_view start(reinterpret_cast<const char*>(encoded.data()), std::min<size_t>(encoded.size(), 16));
+  using namespace std::string_view_literals;
+  constexpr std::pair<std::string_view, std::string_view> k_formats[] = {{"\xabKTX 20"sv, "KTX2"},
+                                                                         {"\xabKTX 11"sv, "KTX"},
+                                                                         {"DDS "sv, "DDS"},
+                                                                         {"II*\0"sv, "TIFF"},
+                                                                         {"MM\0*"sv, "TIFF"},
+                                                                         {"v/1\x01"sv, "OpenEXR"},
+                                                                         {"\0\0\0\x0cjP"sv, "JPEG 2000"},
+                                                                         {"\xff\x0a"sv, "JPEG XL"},
+                                                                         {"<svg"sv, "SVG"}};
+  if (start.starts_with("RIFF") && start.substr(std::min<size_t>(8, start.size())).starts_with("WEBP")) return "WebP";
+  if (start.size() > 8 && start.substr(4).starts_with("ftypavif")) return "AVIF";
+  for (const auto& [magic, name] : k_formats) {
+    if (start.starts_with(magic)) return name;
+  }
+  return {};
+}
+
+struct Size {
+  uint32_t width = 0, height = 0;
+};
+
+// stb_image calls a PNG of more than 2^30 bytes no picture at all. Its size stands at the same place in every PNG.
+std::optional<Size> png_size(std::span<const std::byte> encoded) {
+  constexpr std::string_view k_magic = "\x89PNG\r\n\x1a\n";
+  const std::string_view text(reinterpret_cast<const char*>(encoded.data()), encoded.size());
+  if (!text.starts_with(k_magic) || text.size() < 24 || text.substr(12, 4) != "IHDR") return std::nullopt;
+  const auto number = [&](size_t at) {
+    uint32_t value = 0;
+    for (size_t i = 0; i < 4; ++i) value = value << 8 | std::to_integer<uint32_t>(encoded[at + i]);
+    return value;
+  };
+  return Size{number(16), number(20)};
+}
+
+void check_sides(uint64_t width, uint64_t height, const std::string& name) {
+  if (width > k_max_side || height > k_max_side)
+    fail("{}: {} x {} pixels; at most {} a side are supported", name, width, height, k_max_side);
+}
+
 void check_header(std::span<const std::byte> encoded, const std::string& name) {
   if (encoded.size() > static_cast<size_t>(std::numeric_limits<int>::max()))
     fail("{}: {} bytes; valid: below 2 GiB", name, encoded.size());
+  if (const auto size = png_size(encoded)) check_sides(size->width, size->height, name);
   int width = 0, height = 0, channels = 0;
   if (!stbi_info_from_memory(bytes_of(encoded), static_cast<int>(encoded.size()), &width, &height, &channels)) {
-    fail("{}: not a picture that can be read ({}); valid: PNG, JPEG, TGA, BMP", name, stbi_failure_reason());
+    const std::string_view format = format_name(encoded);
+    const std::string reason = format.empty() ? stbi_failure_reason() : fmt::format("it is {}", format);
+    fail("{}: not a picture that can be read ({}); valid: PNG, JPEG, TGA, BMP", name, reason);
   }
-  if (width > k_max_side || height > k_max_side) {
-    fail("{}: {} x {} pixels; at most {} a side are supported", name, width, height, k_max_side);
-  }
+  check_sides(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
   // Deflate packs 1032 bytes of at least eight pixels each into one; nothing else packs more. A header alone must not cost a
   // gigabyte.
   constexpr uint64_t k_most_pixels_per_byte = 8 * 1032;

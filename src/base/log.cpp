@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "base/interrupt.h"
+#include "base/visible_text.h"
 #include "base/warning_watch.h"
 
 namespace gnomon {
@@ -61,8 +62,9 @@ void log_line(LogLevel level, std::string_view text) {
   } else {
     logger().set_pattern("%n: %^%l%$: %v");
   }
-  logger().log(to_spdlog(level), text);
-  if (level == LogLevel::warning) watches().add(text);
+  const std::string visible = visible_text(text);
+  logger().log(to_spdlog(level), visible);
+  if (level == LogLevel::warning) watches().add(visible);
 }
 
 WarningWatch::WarningWatch() {
@@ -101,7 +103,7 @@ void ProgressWatch::report(const std::string& title, double share) {
 }
 
 Progress::Progress(std::string title, uint64_t total)
-    : title_(std::move(title)),
+    : title_(visible_text(title)),
       total_(std::max<uint64_t>(total, 1)),
       start_(Clock::now()),
       last_drawn_(start_),

@@ -14,7 +14,10 @@ namespace gnomon {
 
 enum class LogLevel { debug, info, warning, error };
 
+// Control characters in the text are shown as text (base/visible_text.h).
 void log_line(LogLevel level, std::string_view text);
+// `kind`: what a WarningLimit counts by.
+void log_warning_of_kind(std::string_view kind, std::string_view text);
 void set_log_level(LogLevel lowest_shown);
 
 template <class... Args>
@@ -27,7 +30,8 @@ void log_info(fmt::format_string<Args...> format, Args&&... args) {
 }
 template <class... Args>
 void log_warning(fmt::format_string<Args...> format, Args&&... args) {
-  log_line(LogLevel::warning, fmt::format(format, std::forward<Args>(args)...));
+  const fmt::string_view kind = format;
+  log_warning_of_kind({kind.data(), kind.size()}, fmt::format(format, std::forward<Args>(args)...));
 }
 template <class... Args>
 void log_error(fmt::format_string<Args...> format, Args&&... args) {

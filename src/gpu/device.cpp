@@ -126,6 +126,7 @@ void Device::create_device(bool with_window) {
     load(ray_tracing_.cmd_trace, "vkCmdTraceRaysKHR");
   }
   bindless_ = std::make_unique<Bindless>(device_, info_.anisotropy ? std::min(16.0f, info_.max_anisotropy) : 1.0f, stages);
+  pipelines_ = std::make_unique<PipelinePool>(device_);
 
   VkSemaphoreTypeCreateInfo type = {VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
   type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
@@ -138,6 +139,7 @@ Device::~Device() {
   for (auto& destroy : held_) destroy();
   for (auto& [value, destroy] : deferred_) destroy();
   vkDestroySemaphore(device_, timeline_, nullptr);
+  pipelines_.reset();
   bindless_.reset();
   vmaDestroyAllocator(allocator_);
   vkDestroyDevice(device_, nullptr);

@@ -9,6 +9,7 @@
 
 #include "gpu/bindless.h"
 #include "gpu/instance.h"
+#include "gpu/pipeline_pool.h"
 #include "gpu/vulkan.h"
 
 struct VmaAllocator_T;
@@ -80,6 +81,7 @@ class Device {
   const RayTracingFunctions& ray_tracing() const { return ray_tracing_; }
   Bindless& bindless() { return *bindless_; }
   VkPipelineLayout pipeline_layout() const { return bindless_->pipeline_layout(); }
+  PipelinePool& pipelines() { return *pipelines_; }
 
   // Begins and ends the one-queue timeline: submit returns the value that `wait` waits for. The semaphores are those of a
   // window, which knows no timeline: what the commands copy waits for `acquired`; `finished` is for the presentation.
@@ -128,6 +130,7 @@ class Device {
   DeviceInfo info_;
   RayTracingFunctions ray_tracing_;
   std::unique_ptr<Bindless> bindless_;
+  std::unique_ptr<PipelinePool> pipelines_;
   VkSemaphore timeline_ = VK_NULL_HANDLE;
   uint64_t submitted_ = 0;
   std::deque<std::pair<uint64_t, std::function<void()>>> deferred_;

@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cstring>
+#include <functional>
+#include <list>
+#include <type_traits>
 
 #include "base/error.h"
 #include "gpu/pipeline_target.h"
@@ -14,8 +17,7 @@ namespace {
 // A shader module that lives as long as the creation of its pipeline.
 class ShaderModule {
  public:
-  ShaderModule(Device& device, std::string_view name) : device_(device.handle()) {
-    const auto words = find_shader(name);
+  ShaderModule(Device& device, std::string_view name, const std::vector<uint32_t>& words) : device_(device.handle()) {
     VkShaderModuleCreateInfo info = {VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     info.codeSize = words.size() * sizeof(uint32_t);
     info.pCode = words.data();
@@ -50,13 +52,52 @@ struct Specialisation {
   VkSpecializationInfo info;
 };
 
+// What decides what a pipeline does, one after another.
+class RecipeWriter {
+ public:
+  template <class T>
+  RecipeWriter& add(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T> && std::has_unique_object_representations_v<T>);
+    recipe_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    return *this;
+  }
+  template <class T>
+  RecipeWriter& add(const std::vector<T>& values) {
+    add(values.size());
+    for (const T& value : values) add(value);
+    return *this;
+  }
+  RecipeWriter& add(std::string_view text) {
+    add(text.size());
+    recipe_.append(text);
+    return *this;
+  }
+  PipelineRecipe take() { return std::move(recipe_); }
+
+ private:
+  PipelineRecipe recipe_;
+};
+
+// A shader's name and a hash of its words, which change while the program runs (set_replaced_shaders).
+struct Stage {
+  explicit Stage(std::string_view shader) : name(shader), words(find_shader(shader)) {}
+  void add_to(RecipeWriter& recipe) const {
+    const std::string_view bytes(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(uint32_t));
+    recipe.add(name).add(words.size()).add(std::hash<std::string_view>()(bytes));
+  }
+  ShaderModule module(Device& device) const { return {device, name, words}; }
+  std::string_view name;
+  std::vector<uint32_t> words;
+};
+
 uint32_t align_up(uint32_t value, uint32_t alignment) { return (value + alignment - 1) / alignment * alignment; }
 
 }  // namespace
 
 void Pipeline::release() noexcept {
   if (!pipeline_) return;
-  device_->defer([device = device_->handle(), pipeline = pipeline_] { vkDestroyPipeline(device, pipeline, nullptr); });
+  const VkPipeline last = device_->pipelines().keep(std::move(recipe_), pipeline_);
+  if (last) device_->defer([device = device_->handle(), last] { vkDestroyPipeline(device, last, nullptr); });
   pipeline_ = VK_NULL_HANDLE;
 }
 
@@ -64,10 +105,17 @@ void Pipeline::swap(Pipeline& other) noexcept {
   std::swap(device_, other.device_);
   std::swap(pipeline_, other.pipeline_);
   std::swap(bind_point_, other.bind_point_);
+  std::swap(recipe_, other.recipe_);
 }
 
 Pipeline make_compute_pipeline(Device& device, std::string_view shader, const SpecialisationConstants& constants) {
-  const ShaderModule module(device, shader);
+  const Stage stage(shader);
+  RecipeWriter writer;
+  stage.add_to(writer);
+  PipelineRecipe recipe = writer.add(constants).take();
+  if (const VkPipeline known = device.pipelines().take(recipe))
+    return {device, known, VK_PIPELINE_BIND_POINT_COMPUTE, std::move(recipe)};
+  const ShaderModule module = stage.module(device);
   const Specialisation specialisation(constants);
   VkComputePipelineCreateInfo info = {VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
   info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT, &specialisation.info);
@@ -76,7 +124,7 @@ Pipeline make_compute_pipeline(Device& device, std::string_view shader, const Sp
   vk_check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
            fmt::format("vkCreateComputePipelines({})", shader));
   device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), std::string(shader));
-  return {device, pipeline, VK_PIPELINE_BIND_POINT_COMPUTE};
+  return {device, pipeline, VK_PIPELINE_BIND_POINT_COMPUTE, std::move(recipe)};
 }
 
 Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info) {
@@ -84,17 +132,36 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
 }
 
 Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info, const PipelineTarget& target) {
-  const Specialisation specialisation(info.constants);
-  const ShaderModule vertex(device, info.vertex);
-  std::vector<VkPipelineShaderStageCreateInfo> stages = {vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, &specialisation.info)};
-  std::unique_ptr<ShaderModule> fragment, geometry;
-  if (!info.geometry.empty()) {
-    geometry = std::make_unique<ShaderModule>(device, info.geometry);
-    stages.push_back(geometry->stage(VK_SHADER_STAGE_GEOMETRY_BIT, &specialisation.info));
+  const std::pair<const std::string&, VkShaderStageFlagBits> parts[] = {{info.vertex, VK_SHADER_STAGE_VERTEX_BIT},
+                                                                        {info.geometry, VK_SHADER_STAGE_GEOMETRY_BIT},
+                                                                        {info.fragment, VK_SHADER_STAGE_FRAGMENT_BIT}};
+  std::vector<std::pair<Stage, VkShaderStageFlagBits>> shaders;
+  for (const auto& [shader, bit] : parts) {
+    if (!shader.empty()) shaders.emplace_back(shader, bit);
   }
-  if (!info.fragment.empty()) {
-    fragment = std::make_unique<ShaderModule>(device, info.fragment);
-    stages.push_back(fragment->stage(VK_SHADER_STAGE_FRAGMENT_BIT, &specialisation.info));
+  PipelineRecipe recipe;
+  // A render pass belongs to somebody else, who may end it.
+  if (!target.render_pass) {
+    RecipeWriter writer;
+    for (const auto& [stage, bit] : shaders) stage.add_to(writer.add(bit));
+    recipe = writer.add(info.constants)
+                 .add(info.colour_formats)
+                 .add(info.depth_format)
+                 .add(info.depth_compare)
+                 .add(info.depth_clamp)
+                 .add(target.adds)
+                 .add(info.samples)
+                 .add(info.view_mask)
+                 .take();
+  }
+  if (const VkPipeline known = device.pipelines().take(recipe))
+    return {device, known, VK_PIPELINE_BIND_POINT_GRAPHICS, std::move(recipe)};
+
+  const Specialisation specialisation(info.constants);
+  std::list<ShaderModule> modules;
+  std::vector<VkPipelineShaderStageCreateInfo> stages;
+  for (const auto& [stage, bit] : shaders) {
+    stages.push_back(modules.emplace_back(device, stage.name, stage.words).stage(bit, &specialisation.info));
   }
 
   const VkPipelineVertexInputStateCreateInfo vertex_input = {VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
@@ -151,7 +218,7 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
   vk_check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
            fmt::format("vkCreateGraphicsPipelines({})", name));
   device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), name);
-  return {device, pipeline, VK_PIPELINE_BIND_POINT_GRAPHICS};
+  return {device, pipeline, VK_PIPELINE_BIND_POINT_GRAPHICS, std::move(recipe)};
 }
 
 RayPipeline::RayPipeline(Device& device, std::string_view raygen, std::string_view miss, std::string_view any_hit,
@@ -161,7 +228,8 @@ RayPipeline::RayPipeline(Device& device, std::string_view raygen, std::string_vi
   if (!limits.ray_tracing)
     fail_device("{}: '{}' has no ray-tracing pipeline (VK_KHR_ray_tracing_pipeline)", raygen, limits.name);
   const Specialisation specialisation(constants);
-  const ShaderModule modules[] = {{device, raygen}, {device, miss}, {device, any_hit}};
+  const Stage shaders[] = {Stage(raygen), Stage(miss), Stage(any_hit)};
+  const ShaderModule modules[] = {shaders[0].module(device), shaders[1].module(device), shaders[2].module(device)};
   const VkPipelineShaderStageCreateInfo stages[] = {modules[0].stage(VK_SHADER_STAGE_RAYGEN_BIT_KHR, &specialisation.info),
                                                     modules[1].stage(VK_SHADER_STAGE_MISS_BIT_KHR, nullptr),
                                                     modules[2].stage(VK_SHADER_STAGE_ANY_HIT_BIT_KHR, nullptr)};
@@ -188,7 +256,7 @@ RayPipeline::RayPipeline(Device& device, std::string_view raygen, std::string_vi
   vk_check(functions.create_pipelines(device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
            fmt::format("vkCreateRayTracingPipelinesKHR({})", raygen));
   device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), std::string(raygen));
-  pipeline_ = {device, pipeline, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR};
+  pipeline_ = {device, pipeline, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR, {}};
 
   // One record per region, each region at the base alignment.
   const uint32_t handle = limits.shader_group_handle_size;

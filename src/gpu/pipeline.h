@@ -16,8 +16,8 @@ using SpecialisationConstants = std::vector<uint32_t>;
 class Pipeline {
  public:
   Pipeline() = default;
-  Pipeline(Device& device, VkPipeline pipeline, VkPipelineBindPoint bind_point)
-      : device_(&device), pipeline_(pipeline), bind_point_(bind_point) {}
+  Pipeline(Device& device, VkPipeline pipeline, VkPipelineBindPoint bind_point, PipelineRecipe recipe)
+      : device_(&device), pipeline_(pipeline), bind_point_(bind_point), recipe_(std::move(recipe)) {}
   ~Pipeline() { release(); }
   Pipeline(Pipeline&& other) noexcept { swap(other); }
   Pipeline& operator=(Pipeline&& other) noexcept {
@@ -36,6 +36,7 @@ class Pipeline {
   Device* device_ = nullptr;
   VkPipeline pipeline_ = VK_NULL_HANDLE;
   VkPipelineBindPoint bind_point_ = VK_PIPELINE_BIND_POINT_COMPUTE;
+  PipelineRecipe recipe_;
 };
 
 Pipeline make_compute_pipeline(Device& device, std::string_view shader, const SpecialisationConstants& constants = {});

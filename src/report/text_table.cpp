@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/visible_text.h"
 #include "report/report.h"
 #include "report/result_set.h"
 
@@ -28,13 +29,6 @@ constexpr Column k_columns[] = {
     {"total ms", "/gpu_ms/total", 1, Column::time},
     {"MiB", "/memory_bytes", 1.0 / (1 << 20), Column::mebibytes},
 };
-
-// Names and reasons are data: a control character in them must not steer the terminal.
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
-  return text;
-}
 
 size_t width_of(const std::string& text) {
   return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -66,11 +60,11 @@ std::vector<Row> rows_of(const ResultGroup& group, std::span<const json> lines, 
   std::vector<Row> rows;
   for (size_t i = 0; i < group.rows.size(); ++i) {
     const json& line = lines[group.rows[i]];
-    Row row{printable(group.labels[i]), {}, {}};
+    Row row{visible_line(group.labels[i]), {}, {}};
     if (is_available(line)) {
       for (size_t c = 0; c < columns.size(); ++c) row.cells.push_back(cell(line, columns[c], digits[c]));
     } else {
-      const std::string reason = printable(text_at(line, "/reason"));
+      const std::string reason = visible_line(text_at(line, "/reason"));
       row.reason = "unavailable: " + (reason.empty() ? "no reason given" : reason);
     }
     rows.push_back(std::move(row));
@@ -80,7 +74,7 @@ std::vector<Row> rows_of(const ResultGroup& group, std::span<const json> lines, 
 
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
-  for (const auto& part : parts) text += (text.empty() ? "" : ", ") + printable(part);
+  for (const auto& part : parts) text += (text.empty() ? "" : ", ") + visible_line(part);
   return text;
 }
 

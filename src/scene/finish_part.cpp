@@ -15,7 +15,7 @@ void mend_normals(MeshPart& part) {
   for (size_t i = 0; i < part.normals.size(); ++i) {
     const glm::dvec3 normal(part.normals[i]);
     const double length = glm::length(normal);
-    if (length > 1e-20) {
+    if (length > 1e-20 && std::isfinite(length)) {
       part.normals[i] = vec3(normal / length);
       continue;
     }

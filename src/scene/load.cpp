@@ -2,11 +2,12 @@
 #include "scene/load.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/lower_case.h"
+#include "base/warning_limit.h"
 #include "scene/path.h"
 
 namespace gnomon {
@@ -51,13 +52,6 @@ std::vector<std::string_view> scene_file_option_names() {
   return names;
 }
 
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 }  // namespace
 
 bool is_builtin_scene(std::string_view name) {
@@ -79,7 +73,7 @@ Scene load_scene(const std::string& name_or_path, const std::map<std::string, do
     return scene;
   }
   const std::filesystem::path path(name_or_path);
-  const std::string extension = lower_extension(path);
+  const std::string extension = lower_case(path.extension().string());
   const bool is_obj = extension == ".obj", is_gltf = extension == ".gltf" || extension == ".glb";
   if (!is_obj && !is_gltf) {
     fail_usage("{}: neither a built-in scene nor a file that can be read; valid: {}; or a path ending in .obj, .gltf or .glb",
@@ -89,6 +83,7 @@ Scene load_scene(const std::string& name_or_path, const std::map<std::string, do
     fail_usage("scene.{}: a scene from a file has no such option; valid: {}", options.begin()->first,
                fmt::join(scene_file_option_names(), ", "));
   }
+  const WarningLimit limit;
   Scene scene = is_obj ? load_obj(path, file_options) : load_gltf(path, file_options);
   add_default_paths(scene);
   return scene;

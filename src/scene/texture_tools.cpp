@@ -15,6 +15,29 @@ bool has_transparency(const Image8& image) {
   return false;
 }
 
+AlphaShares alpha_shares(const Image8& image) {
+  size_t clear = 0, solid = 0, holes = 0;
+  for (size_t i = 3; i < image.rgba.size(); i += 4) {
+    clear += image.rgba[i] < 32;
+    solid += image.rgba[i] >= 224;
+    holes += image.rgba[i] < 128;
+  }
+  const double count = std::max(1.0, static_cast<double>(image.rgba.size() / 4));
+  AlphaShares shares;
+  shares.clear = static_cast<double>(clear) / count;
+  shares.solid = static_cast<double>(solid) / count;
+  shares.between = std::max(0.0, 1.0 - shares.clear - shares.solid);
+  shares.holes = static_cast<double>(holes) / count;
+  return shares;
+}
+
+// Of a cut-out the texels between are its soft edges. Their values span six times as many as either end, so that a ramp has
+// six times as many; foliage and nets in use have up to half as many as their scarcer end, small pictures more.
+bool is_cut_out(const AlphaShares& shares) {
+  const double scarcer = std::min(shares.clear, shares.solid);
+  return scarcer > 0.0 && shares.between <= 1.5 * scarcer;
+}
+
 bool is_grey(const Image8& image) {
   for (size_t i = 0; i < image.rgba.size(); i += 4) {
     if (image.rgba[i] != image.rgba[i + 1] || image.rgba[i] != image.rgba[i + 2]) return false;

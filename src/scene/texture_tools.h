@@ -6,7 +6,19 @@
 namespace gnomon {
 
 bool has_transparency(const Image8& image);  // any alpha below 255
-bool is_grey(const Image8& image);           // red = green = blue everywhere
+// How the texels are spread over an alpha channel.
+struct AlphaShares {
+  double clear = 0.0;  // below 1/8
+  double solid = 0.0;  // above 7/8
+  double between = 0.0;
+  double holes = 0.0;  // below 1/2, where alpha tests cut
+};
+AlphaShares alpha_shares(const Image8& image);
+// Whether such a channel looks like a cut-out: bimodal, most texels either clear or solid, as of a leaf on its sheet. A smooth
+// channel (gloss, height, a tint) is none, nor one without a clear or a solid texel.
+bool is_cut_out(const AlphaShares& shares);
+
+bool is_grey(const Image8& image);  // red = green = blue everywhere
 
 // The alpha of `colour` becomes the mask, resampled to its size: the mask's own alpha where it has one, else its brightness.
 void set_alpha(Image8& colour, const Image8& mask);

@@ -55,8 +55,10 @@ TEST(PercentageCloser, OptimisedKernelEqualsTheGrid) {
   View& view = courtyard(0.0f);
   // One technique for all: on a software device making one takes longer than running it.
   const auto& spec = find_technique("single/pcf");
-  const auto technique = spec.make(view.context(), spec.default_settings());
-  const auto mask_with = [&](const Assignments& assignments) {
+  const std::string map_size = "single.size=512";
+  const auto technique = spec.make(view.context(), settings_of(spec, {map_size}));
+  const auto mask_with = [&](Assignments assignments) {
+    assignments.push_back(map_size);
     technique->set(settings_of(spec, assignments));
     test::run_passes([&](Recorder& recorder) {
       view.frame().record_surface(recorder);
@@ -140,6 +142,77 @@ TEST(PercentageCloser, SoftShadowsAreNearerToASunWithSize) {
     fmt::print("courtyard, sun of {} degrees: mae of pcf {:.4f}, pcss {:.4f}\n", sun_deg, pcf, pcss);
     EXPECT_LT(pcss, 0.7 * pcf) << sun_deg;
   }
+}
+
+// The map ends with the casters: a kernel at its edge reads beyond, where all is lit.
+TEST(PercentageCloser, KernelsAgreeAcrossTheEdgeOfTheMap) {
+  Scene scene = test::scene_with({test::floor_part(4.0f), test::box_part({-1, 0.5f, -1}, {1, 1, 1})});
+  scene.objects[0].casts = false;
+  scene.cameras.push_back(look_at("beside", {3, 3, 3}, {0, 0, 0}, 50.0));
+  scene.lights.push_back(test::make_sun({0, -1, 0}));
+  View view(std::move(scene), {96, 72});
+  for (const std::string bilinear : {"true", "false"}) {
+    for (const std::string plane : {"true", "false"}) {
+      const Assignments same = {"single.size=128", "pcf.size=15", "pcf.bilinear=" + bilinear, "bias.receiver_plane=" + plane};
+      Assignments grid = same, optimised = same;
+      grid.emplace_back("pcf.kernel=grid"), optimised.emplace_back("pcf.kernel=optimised");
+      const auto a = mask_of(view, "single/pcf", grid), b = mask_of(view, "single/pcf", optimised);
+      EXPECT_LT(difference(a, b).mean, 1e-3) << "bilinear " << bilinear << ", plane " << plane;
+      // Just within the edge half of the kernel lies beyond.
+      size_t grey = 0, black = 0;
+      for (const float v : a) grey += v > 0.3f && v < 0.7f, black += v == 0.0f;
+      EXPECT_GT(grey, 20u) << "bilinear " << bilinear << ", plane " << plane;
+      EXPECT_GT(black, 50u);
+    }
+  }
+}
+
+// Weights of a side: 1 in the middle and 0 one step outside the kernel. Across an edge along the texels their sums appear.
+TEST(PercentageCloser, ATentFallsLinearlyAcrossAnEdge) {
+  Scene scene = test::scene_with({test::floor_part(4.0f), test::box_part({-9, 0.5f, -9}, {0.13f, 1, 9})});
+  scene.cameras.push_back(look_at("beside", {3, 0.4f, 1}, {0, 0, 0}, 30.0));
+  scene.lights.push_back(test::make_sun({0, -1, 0}));
+  View view(std::move(scene), {96, 72});
+  const std::pair<const char*, std::vector<float>> cases[] = {{"pcf.size=3", {0, 1 / 4.0f, 3 / 4.0f, 1}},
+                                                              {"pcf.size=5", {0, 1 / 9.0f, 3 / 9.0f, 6 / 9.0f, 8 / 9.0f, 1}}};
+  for (const std::string kernel : {"grid", "optimised"}) {
+    for (const auto& [size, sums] : cases) {
+      const auto mask = mask_of(view, "single/pcf",
+                                {"single.size=512", "pcf.weights=tent", "pcf.bilinear=false", size, "pcf.kernel=" + kernel,
+                                 "bias.receiver_plane=false"});
+      view.draw();
+      const auto points = view.frame().read_points();
+      std::vector<size_t> seen(sums.size());
+      for (size_t i = 0; i < mask.size(); ++i) {
+        if (points[i].object != 0) continue;
+        const auto nearest = std::min_element(sums.begin(), sums.end(),
+                                              [&](float a, float b) { return std::abs(a - mask[i]) < std::abs(b - mask[i]); });
+        EXPECT_NEAR(mask[i], *nearest, 2e-3f) << kernel << ", " << size;
+        ++seen[static_cast<size_t>(nearest - sums.begin())];
+      }
+      for (size_t k = 0; k < sums.size(); ++k)
+        EXPECT_GT(seen[k], 0u) << kernel << ", " << size << ": no sample sees " << sums[k];
+    }
+  }
+}
+
+// A floor and a box above it that are parts of one object, or two.
+TEST(ObjectId, PartsOfOneObjectShadowEachOtherWhenAskedFor) {
+  Scene scene = test::scene_with({});
+  const std::vector<MeshPart> parts = {test::floor_part(4.0f), test::box_part({-1, 0.5f, -1}, {1, 1, 1})};
+  add_object(scene, "both", add_mesh(scene, "both", parts));
+  scene.cameras.push_back(look_at("beside", {3, 3, 3}, {0, 0, 0}, 50.0));
+  scene.lights.push_back(test::make_sun({0, -1, 0}));
+  View view(std::move(scene), {64, 48});
+  const auto shadow = [&](const std::string& parts_of) {
+    const auto mask = mask_of(view, "single/object_id", {"single.size=256", "object_id.within=lit", parts_of});
+    const auto receiver = test::receivers(view);
+    size_t dark = 0;
+    for (size_t i = 0; i < mask.size(); ++i) dark += receiver[i] && mask[i] < 0.5f;
+    return dark;
+  };
+  EXPECT_EQ(shadow("object_id.parts=object"), 0u);
+  EXPECT_GT(shadow("object_id.parts=item"), 50u);
 }
 
 TEST(ObjectId, ARoomOfOneObjectIsLitUnlessDepthIsComparedWithin) {

@@ -30,12 +30,23 @@ TEST(Relation, PcfOfOneTexelIsHard) {
     const std::string projection = spec.name.substr(0, spec.name.find('/'));
     const auto& hard = find_technique(projection + "/hard");
     const LightKind kind = test::preferred_light(spec);
-    View& view = test::kept_view(fmt::format("busy {}", light_kind_name(kind)), [=] { return test::busy(kind); }, {160, 120});
+    View& view = test::kept_view(fmt::format("busy {}", light_kind_name(kind)), [=] { return test::busy(kind); }, {96, 72});
     ++pairs;
+    // One technique for all biases, which are live: on a software device making one takes longer than running it.
+    const auto one_texel = spec.make(view.context(), spec.default_settings()),
+               compared_once = hard.make(view.context(), hard.default_settings());
+    const auto mask_of = [&](Technique& technique, const SettingsMap& settings) {
+      technique.set(settings);
+      test::run_passes([&](Recorder& recorder) {
+        view.frame().record_surface(recorder);
+        technique.record(recorder, view.frame(), 0);
+      });
+      return view.frame().read_mask(0);
+    };
     for (const std::string_view bias :
          {"bias.constant=0.2", "bias.receiver_plane=false", "bias.slope=1", "bias.normal_offset=3"}) {
-      const auto a = test::run_technique(view, spec, test::settings_of(spec, {"pcf.size=1", "pcf.bilinear=false", bias})).mask;
-      const auto b = test::run_technique(view, hard, test::settings_of(hard, {bias})).mask;
+      const auto a = mask_of(*one_texel, test::settings_of(spec, {"pcf.size=1", "pcf.bilinear=false", bias})),
+                 b = mask_of(*compared_once, test::settings_of(hard, {bias}));
       size_t different = 0;
       for (size_t i = 0; i < a.size(); ++i) different += a[i] != b[i];
       EXPECT_EQ(different, 0u) << projection << " with " << bias;

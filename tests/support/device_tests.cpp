@@ -1,9 +1,13 @@
-// main of the tests that need a device: --file=NAME runs the tests of one source file, so that CTest starts a device per file
-// and not per test.
+// main of the tests that need a device: --file=NAME runs the tests of one source file (of those of --gtest_filter), so that
+// CTest starts a device per file and not per test.
 #include "support/device_tests.h"
 
+#include <fnmatch.h>
+
+#include <algorithm>
 #include <cstring>
 #include <optional>
+#include <sstream>
 
 namespace gnomon::test {
 namespace {
@@ -56,8 +60,24 @@ class ValidationListener : public testing::EmptyTestEventListener {
   }
 };
 
-// The gtest filter of the tests that a source file defines; empty when there is none.
+// Whether GoogleTest's filter ("A.*:B.c-A.d") chooses a test.
+bool chosen(const std::string& filter, const std::string& test) {
+  const size_t minus = filter.find('-');
+  const auto any = [&](std::string patterns) {
+    std::replace(patterns.begin(), patterns.end(), ':', '\n');
+    std::istringstream lines(patterns);
+    for (std::string pattern; std::getline(lines, pattern);) {
+      if (fnmatch(pattern.c_str(), test.c_str(), 0) == 0) return true;
+    }
+    return false;
+  };
+  const std::string wanted = filter.substr(0, minus);
+  return any(wanted.empty() ? "*" : wanted) && (minus == std::string::npos || !any(filter.substr(minus + 1)));
+}
+
+// The gtest filter of the tests that a source file defines, of those that --gtest_filter chooses; empty when there is none.
 std::string tests_of_file(const std::string& name) {
+  const std::string given = testing::GTEST_FLAG(filter);
   std::string filter;
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   for (int s = 0; s < all.total_test_suite_count(); ++s) {
@@ -65,7 +85,8 @@ std::string tests_of_file(const std::string& name) {
     for (int t = 0; t < suite.total_test_count(); ++t) {
       const testing::TestInfo& info = *suite.GetTestInfo(t);
       const std::string file = info.file();
-      if (file.size() > name.size() && file.ends_with("/" + name)) filter += fmt::format("{}.{}:", suite.name(), info.name());
+      const std::string test = fmt::format("{}.{}", suite.name(), info.name());
+      if (file.size() > name.size() && file.ends_with("/" + name) && chosen(given, test)) filter += test + ":";
     }
   }
   return filter;
@@ -96,7 +117,7 @@ int main(int argc, char** argv) {
     if (!argument.starts_with("--file=")) continue;
     const std::string filter = gnomon::test::tests_of_file(argument.substr(std::strlen("--file=")));
     if (filter.empty()) {
-      fmt::print(stderr, "{}: no test is defined there\n", argument);
+      fmt::print(stderr, "{}: no test is defined there, or none that --gtest_filter chooses\n", argument);
       return 1;
     }
     testing::GTEST_FLAG(filter) = filter;

@@ -54,6 +54,23 @@ TEST_F(File, LeavesNoPartBehind) {
   EXPECT_EQ(entries, 2u);
 }
 
+TEST_F(File, ALargeFileThatWasNotFetchedIsNamedAsSuch) {
+  const std::string pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:0123\nsize 123456\n";
+  write_file(path("model.glb"), pointer);
+  for (const bool as_text : {false, true}) {
+    try {
+      as_text ? (void)read_text_file(path("model.glb")) : (void)read_file(path("model.glb"));
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()),
+                path("model.glb").string() +
+                    ": is a Git LFS pointer, not the file itself; 'git lfs pull' in its folder fetches the file");
+    }
+  }
+  write_file(path("note"), "see version https://git-lfs.github.com/spec/v1");
+  EXPECT_NO_THROW(read_file(path("note")));
+}
+
 TEST_F(File, ErrorsNameThePath) {
   expect_error_about(path("missing"), [&] { read_file(path("missing")); });
   expect_error_about(folder_, [&] { read_file(folder_); });

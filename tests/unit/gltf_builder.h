@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/maths.h"
 #include "scene/load.h"
 
@@ -47,6 +48,8 @@ class GltfBuilder {
   int positions(const std::vector<vec3>& values) { return accessor(values, "VEC3", k_float, values.size()); }
   int uvs(const std::vector<vec2>& values) { return accessor(values, "VEC2", k_float, values.size()); }
   int vec4s(const std::vector<vec4>& values) { return accessor(values, "VEC4", k_float, values.size()); }
+  int numbers(const std::vector<float>& values) { return accessor(values, "SCALAR", k_float, values.size()); }
+  int matrices(const std::vector<mat4>& values) { return accessor(values, "MAT4", k_float, values.size()); }
   int indices(const std::vector<uint16_t>& values) { return accessor(values, "SCALAR", k_ushort, values.size()); }
 
   int add(const std::string& array, const json& item) {
@@ -97,10 +100,23 @@ class GltfBuilder {
     }
     return bytes;
   }
-  Scene load(const std::filesystem::path& folder = {}) const { return load_text(gltf(), folder); }
+  Scene load(const std::filesystem::path& folder = {}, const SceneFileOptions& options = {}) const {
+    return load_text(gltf(), folder, options);
+  }
+  Scene load(const SceneFileOptions& options) const { return load({}, options); }
 
-  static Scene load_text(const std::string& text, const std::filesystem::path& folder = {}) {
-    return load_gltf_from_memory(std::as_bytes(std::span(text)), "test.gltf", folder);
+  static Scene load_text(const std::string& text, const std::filesystem::path& folder = {},
+                         const SceneFileOptions& options = {}) {
+    return load_gltf_from_memory(std::as_bytes(std::span(text)), "test.gltf", folder, options);
+  }
+  // "test.gltf: ...", or "no error".
+  std::string error(const SceneFileOptions& options = {}) const {
+    try {
+      load(options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
   }
   static std::string data_uri(std::span<const std::byte> bytes, const std::string& type = "application/octet-stream") {
     constexpr const char* k_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -207,6 +207,47 @@ TEST(Meshopt, DamageIsReportedWithItsPlace) {
   EXPECT_NE(bomb.find("cannot decode to as many"), std::string::npos) << bomb;
 }
 
+// KHR_meshopt_compression: the ratified name. Its placeholder buffers need no mark, colours have a filter.
+TEST(Meshopt, TheRatifiedNameAndItsColours) {
+  const Grid grid;
+  MeshoptBuilder b;
+  const int positions = b.compressed_positions(grid);
+  // Y, Co, Cg of 7 bits, and alpha of 6 bits below a bit that is set: red 127, green 0, blue 0; alpha 63 of 63.
+  std::vector<uint8_t> colours;
+  for (size_t i = 0; i < grid.positions.size(); ++i) colours.insert(colours.end(), {32, 64, 0xe0, 0x7f});
+  const int view = b.compressed_view(encoded_vertices(colours.data(), grid.positions.size(), 4), grid.positions.size(), 4,
+                                     "ATTRIBUTES", "COLOR");
+  const int accessor = b.compressed_accessor(view, "VEC4", test_files::k_ubyte, grid.positions.size(), true);
+  const std::vector<uint32_t> indices = grid.indices;
+  b.node({{"mesh", b.mesh({{"POSITION", positions}, {"COLOR_0", accessor}},
+                          b.accessor(indices, "SCALAR", test_files::k_uint, indices.size()))}});
+  const auto rename = [](json& value) {
+    value["extensions"]["KHR_meshopt_compression"] = value["extensions"]["EXT_meshopt_compression"];
+    value["extensions"].erase("EXT_meshopt_compression");
+  };
+  for (json& v : b.root["bufferViews"]) {
+    if (v.contains("extensions")) rename(v);
+  }
+  b.root["buffers"][1].erase("extensions");
+  b.root["extensionsRequired"] = {"KHR_meshopt_compression"};
+  const Scene scene = b.load();
+  EXPECT_NEAR(test_files::area(scene), grid.area(), 1e-3);
+  EXPECT_LT(glm::distance(scene.meshes.at(0).parts.at(0).colours[0], vec4(1, 0, 0, 1)), 0.01f);
+}
+
+TEST(Meshopt, ALaterCodecIsNamedAndAFallbackIsReadInstead) {
+  const Grid grid;
+  MeshoptBuilder b;
+  const int positions = b.compressed_positions(grid);
+  b.node({{"mesh",
+           b.mesh({{"POSITION", positions}}, b.accessor(grid.indices, "SCALAR", test_files::k_uint, grid.indices.size()))}});
+  b.data[0] = std::byte{0xae};  // a version that no library knows
+  EXPECT_NE(b.error().find("version 14 of the vertex codec"), std::string::npos) << b.error();
+  const auto bytes = std::as_bytes(std::span(grid.positions));
+  b.root["buffers"][1]["uri"] = GltfBuilder::data_uri(bytes);
+  EXPECT_NEAR(test_files::area(b.load()), grid.area(), 1e-3);
+}
+
 // --- Draco ---
 
 struct DracoData {

@@ -57,6 +57,8 @@ TEST(GltfMalformed, EveryErrorNamesItsPlaceAndWhatIsValid) {
       {"/asset", 5, "asset"},
       {"/asset/version", "1.0", "asset.version"},
       {"/asset/version", 2.0, "asset.version"},
+      {"/asset/minVersion", "2.1", "asset.minVersion"},
+      {"/asset", json::object(), "asset.version"},
       {"/scene", "0", "scene"},
       {"/scene", 1, "scene"},
       {"/scene", -1, "scene"},
@@ -150,7 +152,7 @@ TEST(GltfMalformed, EveryErrorNamesItsPlaceAndWhatIsValid) {
 }
 
 TEST(GltfMalformed, RequiredExtensionsAreNamedWithTheSupportedOnes) {
-  for (const std::string extension : {"KHR_texture_basisu", "EXT_texture_webp", "VENDOR_made_up"}) {
+  for (const std::string extension : {"EXT_mesh_made_up", "KHR_gaussian_splatting", "VENDOR_made_up", "nonsense"}) {
     GltfBuilder b = rich_file();
     b.root["extensionsRequired"] = {"KHR_mesh_quantization", extension};
     const std::string message = error_of([&] { b.load(); });

@@ -34,6 +34,11 @@ GltfBuilder with_material(const json& material) {
   return b;
 }
 
+// Only textures of materials in use are read.
+void add_material_in_use(GltfBuilder& b, const json& material) {
+  b.mesh({{"POSITION", 0}}, -1, {{"material", b.add("materials", material)}});
+}
+
 int embed_picture(GltfBuilder& b, const std::vector<std::byte>& encoded, const json& texture = json::object()) {
   const int image = b.add("images", {{"bufferView", b.view(encoded)}, {"mimeType", "image/png"}});
   json t = texture;
@@ -110,7 +115,7 @@ TEST(GltfMaterials, PicturesFromViewsUrisAndFiles) {
   b.add("textures", {{"source", 1}});
   b.add("images", {{"uri", "a%20picture.png"}});
   b.add("textures", {{"source", 2}});
-  b.root["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 2}}}}}});
+  add_material_in_use(b, {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 2}}}}}});
   const Scene scene = b.load(folder.path());
   ASSERT_EQ(scene.textures.size(), 3u);
   const auto red = [&](int texture) { return scene.textures.at(static_cast<size_t>(texture)).image.rgba.at(0); };
@@ -128,8 +133,8 @@ TEST(GltfMaterials, WrapModesAndSharing) {
   b.root["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
   b.add("textures", {{"source", 0}, {"sampler", 0}});
   b.add("textures", {{"source", 0}});
-  b.root["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}});
-  b.root["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 2}}}}}});
+  add_material_in_use(b, {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}});
+  add_material_in_use(b, {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 2}}}}}});
   const Scene scene = b.load();
   ASSERT_EQ(scene.textures.size(), 2u) << "one picture with two wrap modes";
   EXPECT_EQ(scene.textures[0].wrap_u, Wrap::repeat);

@@ -371,6 +371,8 @@ TEST(Gltf, Lights) {
   EXPECT_EQ(scene.lights[0].colour, vec3(1, 0.5f, 0.25f));
   EXPECT_EQ(scene.lights[0].intensity, 9.0f);
   EXPECT_EQ(scene.lights[1].kind, LightKind::point);
+  EXPECT_EQ(scene.lights[1].name, "point 1") << "kind, and number on the command line, where nothing has a name";
+  EXPECT_EQ(scene.lights[3].name, "spot 3");
   EXPECT_EQ(scene.lights[1].position, vec3(1, 2, 3));
   EXPECT_EQ(scene.lights[1].range, 12.0f);
   EXPECT_EQ(scene.lights[1].intensity, 1.0f);
@@ -405,6 +407,7 @@ TEST(Gltf, Cameras) {
   EXPECT_LT(glm::distance(vec3(eye.world_from_view[3]), vec3(1, 2, 3)), 1e-6f);
   EXPECT_LT(glm::distance(-vec3(eye.world_from_view[2]), vec3(-1, 0, 0)), 1e-6f) << "looks along its -z, without the scale";
   EXPECT_TRUE(scene.cameras[1].orthographic);
+  EXPECT_EQ(scene.cameras[1].name, "camera 1");
   EXPECT_EQ(scene.cameras[1].half_height, 2.0f);
   EXPECT_GT(scene.cameras[2].far, 1000.0f) << "an infinite projection ends behind the scene";
   EXPECT_LT(scene.cameras[2].far, 1100.0f);

@@ -66,6 +66,24 @@ TEST(Image, RefusesSidesAboveTheLimitBeforeDecoding) {
             std::string::npos);
 }
 
+// stb_image itself calls this one "unknown image type": it would take more than 2^30 bytes.
+TEST(Image, TooLargeAPngIsToldItsSizeAndTheLimit) {
+  auto encoded = encode_png(gradient(4, 4));
+  for (const size_t at : {size_t{16}, size_t{20}}) encoded[at + 2] = std::byte{0x4e}, encoded[at + 3] = std::byte{0x20};
+  const std::string message = message_of([&] { decode_image(encoded, "huge.png"); });
+  EXPECT_NE(message.find("huge.png: 20000 x 20000 pixels; at most 16384"), std::string::npos) << message;
+  encoded[16] = std::byte{0xff};
+  EXPECT_NE(message_of([&] { decode_image(encoded, "huge.png"); }).find("at most 16384"), std::string::npos);
+}
+
+TEST(Image, NamesTheKindThatItDoesNotRead) {
+  const std::string ktx("\xabKTX 20\xbb\r\n\x1a\n        ", 20), webp = "RIFF\x24  \x01WEBPVP8 ....";
+  EXPECT_NE(message_of([&] { decode_image(std::as_bytes(std::span(ktx)), "a.ktx2"); }).find("(it is KTX2)"), std::string::npos);
+  EXPECT_NE(message_of([&] { decode_image(std::as_bytes(std::span(webp)), "a.png"); }).find("(it is WebP)"), std::string::npos);
+  const std::string text = "hello, this is no picture";
+  EXPECT_EQ(message_of([&] { decode_image(std::as_bytes(std::span(text)), "a.png"); }).find("it is"), std::string::npos);
+}
+
 TEST(Image, HeightMapsKeepTheirPrecision) {
   // A grey PNG of 16 bits and four texels: 0, 1, 32768, 65535.
   const uint8_t encoded[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52,

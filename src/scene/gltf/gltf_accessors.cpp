@@ -69,6 +69,11 @@ float GltfAccessors::normalised_scale(int accessor) const {
   }
 }
 
+bool GltfAccessors::is_unsigned(int accessor) const {
+  const Accessor& a = at(accessor);
+  return !a.normalised && (a.component_type == k_ubyte || a.component_type == k_ushort || a.component_type == k_uint);
+}
+
 GltfAccessors::Accessor GltfAccessors::read_accessor(const GltfValue& json) const {
   Accessor a;
   a.place = json.place();
@@ -127,8 +132,8 @@ Bytes GltfAccessors::elements(int view, uint64_t offset, size_t stride, size_t e
   return bytes.subspan(offset);
 }
 
-void GltfAccessors::require_vector(const Accessor& accessor, int components, const std::string& place) const {
-  const std::string valid(components == 1 ? std::string_view("SCALAR") : k_types[components - 1].name);
+void GltfAccessors::require_type(const Accessor& accessor, int components, const std::string& place) const {
+  const std::string valid(components == 16 ? std::string_view("MAT4") : k_types[components - 1].name);
   if (accessor.type != valid) {
     fail("{}: {}: {}.type is {}; valid: {}", document_.name(), place, accessor.place, accessor.type, valid);
   }
@@ -148,14 +153,18 @@ std::vector<uint32_t> GltfAccessors::sparse_indices(const Accessor& accessor) co
   return indices;
 }
 
-void GltfAccessors::read_floats(const Accessor& a, const std::vector<uint32_t>* only, float* out) const {
+void GltfAccessors::read_floats(const Accessor& a, const std::vector<uint32_t>* only, float* out, size_t* lost) const {
   const size_t size = component_size(a.component_type), components = static_cast<size_t>(a.components);
   const auto read = [&](const std::byte* from, float* to, size_t element) {
+    bool finite = true;
     for (size_t c = 0; c < components; ++c) {
       to[c] = load_component(from + c * size, a.component_type, a.normalised);
-      if (!std::isfinite(to[c]))
-        fail("{}: {}: element {} is not finite; valid: finite numbers", document_.name(), a.place, element);
+      finite = finite && std::isfinite(to[c]);
     }
+    if (finite) return;
+    if (!lost) fail("{}: {}: element {} is not finite; valid: finite numbers", document_.name(), a.place, element);
+    std::fill(to, to + components, 0.0f);
+    ++*lost;
   };
   const size_t count = only ? only->size() : a.count;
   const auto element_of = [&](size_t i) { return only ? size_t{(*only)[i]} : i; };
@@ -181,9 +190,18 @@ void GltfAccessors::read_floats(const Accessor& a, const std::vector<uint32_t>* 
   }
 }
 
+std::vector<float> GltfAccessors::numbers(int accessor, int components, const std::string& place) const {
+  const Accessor& a = at(accessor);
+  require_type(a, components, place);
+  document_.budget().take(a.count, place);
+  std::vector<float> values(a.count * static_cast<size_t>(a.components));
+  read_floats(a, nullptr, values.data(), nullptr);
+  return values;
+}
+
 std::vector<uint32_t> GltfAccessors::indices(int accessor, const std::string& place) const {
   const Accessor& a = at(accessor);
-  require_vector(a, 1, place);
+  require_type(a, 1, place);
   if (a.component_type != k_ubyte && a.component_type != k_ushort && a.component_type != k_uint) {
     fail("{}: {}: {}.componentType is {}; valid: 5121, 5123, 5125", document_.name(), place, a.place, a.component_type);
   }

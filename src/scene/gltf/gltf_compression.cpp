@@ -1,10 +1,15 @@
-// Decompression of EXT_meshopt_compression and KHR_draco_mesh_compression.
+// Decompression of meshopt compression and KHR_draco_mesh_compression.
 #include "scene/gltf/gltf_compression.h"
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
 #include <exception>
+#include <limits>
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -40,10 +45,42 @@ std::string check_meshopt(const MeshoptFormat& f, Mode mode) {
   if (mode != Mode::attributes && f.filter != "NONE") return "filter: valid for ATTRIBUTES only";
   if (f.filter == "OCTAHEDRAL" && f.stride != 4 && f.stride != 8) return "byteStride of the filter OCTAHEDRAL: valid: 4 or 8";
   if (f.filter == "QUATERNION" && f.stride != 8) return "byteStride of the filter QUATERNION: valid: 8";
-  if (f.filter != "NONE" && f.filter != "OCTAHEDRAL" && f.filter != "QUATERNION" && f.filter != "EXPONENTIAL") {
-    return fmt::format("filter: is \"{}\"; valid: NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL", f.filter);
-  }
+  if (f.filter == "COLOR" && f.stride != 4 && f.stride != 8) return "byteStride of the filter COLOR: valid: 4 or 8";
+  constexpr std::array<std::string_view, 5> k_filters = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
+  if (std::find(k_filters.begin(), k_filters.end(), f.filter) == k_filters.end())
+    return fmt::format("filter: is \"{}\"; valid: {}", f.filter, fmt::join(k_filters, ", "));
   return "";
+}
+
+// YCoCg and alpha of K bits to RGBA of all bits; alpha has K-1 bits below a bit that is set. Not in every meshoptimizer.
+template <class Signed, class Unsigned>
+void decode_colours(std::vector<std::byte>& bytes) {
+  for (size_t i = 0; i + 4 * sizeof(Signed) <= bytes.size(); i += 4 * sizeof(Signed)) {
+    Signed in[4];
+    std::memcpy(in, &bytes[i], sizeof in);
+    const uint32_t y = static_cast<Unsigned>(in[0]), alpha = static_cast<Unsigned>(in[3]);
+    const uint32_t most = (1u << std::bit_width(alpha)) - 1;
+    const int co = in[1], cg = in[2], luma = static_cast<int>(y);
+    const uint32_t a = alpha & most >> 1;
+    const int rgba[4] = {luma + co - cg, luma + cg, luma - co - cg, static_cast<int>(a << 1 | (a & 1))};
+    Unsigned out[4];
+    constexpr auto k_most = static_cast<float>(std::numeric_limits<Unsigned>::max());
+    for (int c = 0; c < 4; ++c) {
+      const float value = most == 0 ? 0.0f : static_cast<float>(rgba[c]) * k_most / static_cast<float>(most);
+      out[c] = static_cast<Unsigned>(std::clamp(value + 0.5f, 0.0f, k_most));
+    }
+    std::memcpy(&bytes[i], out, sizeof out);
+  }
+}
+
+// Vertex data of KHR_meshopt_compression may come in a later version than the library knows.
+std::string damage(Mode mode, const unsigned char* data, size_t size, int status) {
+  if (mode == Mode::attributes && size > 0 && (data[0] & 0xf0) == 0xa0 && (data[0] & 0x0f) > 0) {
+    return fmt::format(
+        "the data is in version {} of the vertex codec, which this meshoptimizer ({}) cannot read; valid: version 0",
+        data[0] & 0x0f, MESHOPTIMIZER_VERSION);
+  }
+  return fmt::format("the compressed data is damaged (meshoptimizer says {})", status);
 }
 
 }  // namespace
@@ -75,10 +112,12 @@ std::string decode_meshopt(const MeshoptFormat& f, std::span<const std::byte> en
       status = meshopt_decodeIndexSequence(decoded.data(), f.count, f.stride, data, encoded.size());
       break;
   }
-  if (status != 0) return fmt::format("the compressed data is damaged (meshoptimizer says {})", status);
+  if (status != 0) return damage(mode, data, encoded.size(), status);
   if (f.filter == "OCTAHEDRAL") meshopt_decodeFilterOct(decoded.data(), f.count, f.stride);
   if (f.filter == "QUATERNION") meshopt_decodeFilterQuat(decoded.data(), f.count, f.stride);
   if (f.filter == "EXPONENTIAL") meshopt_decodeFilterExp(decoded.data(), f.count, f.stride);
+  if (f.filter == "COLOR" && f.stride == 4) decode_colours<int8_t, uint8_t>(decoded);
+  if (f.filter == "COLOR" && f.stride == 8) decode_colours<int16_t, uint16_t>(decoded);
   return "";
 }
 

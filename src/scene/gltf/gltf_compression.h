@@ -1,4 +1,4 @@
-// Decompression of EXT_meshopt_compression and KHR_draco_mesh_compression; knows nothing of JSON.
+// Decompression of EXT_ and KHR_meshopt_compression and of KHR_draco_mesh_compression; knows nothing of JSON.
 #pragma once
 
 #include <cstddef>

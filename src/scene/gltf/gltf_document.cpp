@@ -6,19 +6,24 @@
 #include <cstring>
 
 #include "base/file.h"
+#include "base/log.h"
 #include "base/percent_encoding.h"
 #include "scene/gltf/gltf_compression.h"
+#include "scene/gltf/gltf_extensions.h"
 
 namespace gnomon {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array k_supported_extensions = {
-    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",         "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_unlit",     "KHR_mesh_quantization",           "KHR_texture_transform",
-};
+constexpr std::array k_meshopt = {"EXT_meshopt_compression", "KHR_meshopt_compression"};  // draft and ratified name
+
+std::optional<GltfValue> meshopt_extension(const GltfValue& json) {
+  for (const char* name : k_meshopt) {
+    if (auto extension = json.extension(name)) return extension;
+  }
+  return std::nullopt;
+}
 
 uint32_t read_u32(Bytes bytes, size_t offset) {
   uint32_t value;
@@ -60,7 +65,7 @@ void GltfBudget::take(uint64_t elements, const std::string& place) {
 }
 
 GltfDocument::GltfDocument(Bytes bytes, const std::string& name, const fs::path& folder)
-    : name_(name), folder_(folder), budget_(name_) {
+    : name_(name), folder_(folder), finder_(name), budget_(name_) {
   budget_.add_input(bytes.size());
   if (as_text(bytes).starts_with("glTF")) {
     split_binary(bytes);
@@ -68,7 +73,13 @@ GltfDocument::GltfDocument(Bytes bytes, const std::string& name, const fs::path&
     parse_json(as_text(bytes), 0);
   }
   check_asset();
-  read_buffers();
+  check_required_extensions();
+  buffer_json_ = root().objects("buffers");
+  buffers_.resize(buffer_json_.size());
+  for (const GltfValue& json : buffer_json_) {
+    // What is wrong with the text of the document itself is wrong whether or not something reads it.
+    if (const std::string uri = json.text("uri", ""); uri.starts_with("data:")) digits_of(uri, json.where("uri"));
+  }
   read_views();
 }
 
@@ -117,13 +128,26 @@ void GltfDocument::parse_json(std::string_view text, size_t offset) {
 
 void GltfDocument::check_asset() const {
   const GltfValue asset = root().required_object("asset");
+  if (!asset.has("version")) asset.fail_in("version", "is missing; valid: \"2.0\"");
   const std::string version = asset.text("version", "");
   if (!version.starts_with("2.")) asset.fail_in("version", "is \"{}\"; valid: \"2.0\"", version);
+  const std::string least = asset.text("minVersion", "2.0");
+  if (least != "2.0") asset.fail_in("minVersion", "is \"{}\": a later glTF; valid: \"2.0\"", least);
+}
+
+void GltfDocument::check_required_extensions() const {
+  std::vector<std::string> ignored;
   for (const std::string& extension : root().texts("extensionsRequired")) {
-    if (std::find(k_supported_extensions.begin(), k_supported_extensions.end(), extension) != k_supported_extensions.end())
-      continue;
-    root().fail_in("extensionsRequired", "{} is not supported; supported: {}", extension,
-                   fmt::join(k_supported_extensions, ", "));
+    if (is_read_extension(extension)) continue;
+    if (!cannot_change_shape(extension)) {
+      root().fail_in("extensionsRequired", "{} is not supported; supported: {}", extension, fmt::join(read_extensions(), ", "));
+    }
+    ignored.push_back(extension);
+  }
+  if (!ignored.empty()) {
+    log_warning(
+        "{}: extensionsRequired: {} is not read; it changes looks, not shapes: what has no holes casts the right shadow", name_,
+        fmt::join(ignored, ", "));
   }
 }
 
@@ -131,11 +155,22 @@ void GltfDocument::check_asset() const {
 
 std::optional<fs::path> GltfDocument::find_file(const std::string& uri) const {
   if (folder_.empty() || uri.starts_with("data:")) return std::nullopt;
-  const fs::path path = folder_ / percent_decoded(uri);
-  std::error_code error;
-  if (fs::is_regular_file(path, error)) return path;  // a device would be read for ever
-  const fs::path plain = folder_ / uri;               // some exporters do not escape
-  return fs::is_regular_file(plain, error) ? std::optional(plain) : std::nullopt;
+  const std::span<const fs::path> folders(&folder_, 1);
+  const std::string decoded = percent_decoded(uri);
+  for (const std::string& spelling : {decoded, uri}) {  // some exporters do not escape
+    if (const auto exact = finder_.find_exactly(spelling, folders)) return exact;
+  }
+  return finder_.find(decoded, folders);
+}
+
+std::string_view GltfDocument::digits_of(std::string_view uri, const std::string& place) const {
+  const size_t comma = uri.find(',');
+  const std::string_view header = uri.substr(0, comma);
+  // data:[type][;name=value]...;base64,
+  if (comma == uri.npos || !header.ends_with(";base64") || header.find(";;") != header.npos) {
+    fail("{}: {}: is a malformed data URI; valid: data:TYPE;base64,DIGITS", name_, place);
+  }
+  return uri.substr(comma + 1);
 }
 
 std::vector<std::byte> GltfDocument::read_uri(const std::string& uri, const std::string& place) const {
@@ -144,39 +179,43 @@ std::vector<std::byte> GltfDocument::read_uri(const std::string& uri, const std:
     if (!path) fail("{}: {}: {} is not there; valid: a file's path relative to this one, or a data: URI", name_, place, uri);
     return read_file(*path);
   }
-  const size_t comma = uri.find(',');
-  const std::string_view header = std::string_view(uri).substr(0, comma);
-  // data:[type][;name=value]...;base64,
-  if (comma == uri.npos || !header.ends_with(";base64") || header.find(";;") != header.npos) {
-    fail("{}: {}: is a malformed data URI; valid: data:TYPE;base64,DIGITS", name_, place);
-  }
-  auto bytes = base64_decoded(std::string_view(uri).substr(comma + 1));
+  auto bytes = base64_decoded(digits_of(uri, place));
   if (!bytes) fail("{}: {}: holds a character that is not base64", name_, place);
   return std::move(*bytes);
 }
 
-void GltfDocument::read_buffers() {
-  for (const GltfValue& json : root().objects("buffers")) {
-    Buffer buffer;
-    buffer.declared = json.required_integer("byteLength", 1, uint64_t{1} << 40);
-    const auto fallback = json.extension("EXT_meshopt_compression");
-    if (json.has("uri")) {
-      buffer.owned = read_uri(json.text("uri", ""), json.where("uri"));
-      buffer.bytes = buffer.owned;
-      budget_.add_input(buffer.owned.size());
-      buffer.has_data = true;
-    } else if (buffers_.empty() && binary_chunk_) {
-      buffer.bytes = *binary_chunk_;
-      buffer.has_data = true;
-    } else if (!fallback || !fallback->flag("fallback", false)) {
-      json.fail_in("uri",
-                   "is missing; only the first buffer of a .glb and a fallback of EXT_meshopt_compression may be without");
-    }
-    if (buffer.has_data && buffer.bytes.size() < buffer.declared) {
-      json.fail_in("byteLength", "is {}; the data has only {} bytes", buffer.declared, buffer.bytes.size());
-    }
-    buffers_.push_back(std::move(buffer));
+GltfDocument::Buffer& GltfDocument::buffer(int index) {
+  Buffer& buffer = buffers_[static_cast<size_t>(index)];
+  if (buffer.declared > 0) return buffer;
+  const GltfValue& json = buffer_json_[static_cast<size_t>(index)];
+  buffer.declared = json.required_integer("byteLength", 1, uint64_t{1} << 40);
+  const std::string uri = json.text("uri", "");
+  std::error_code error;
+  if (const auto path = find_file(uri)) {
+    if (const auto size = fs::file_size(*path, error); !error) budget_.add_input(size);
+  } else {
+    budget_.add_input(uri.size());
   }
+  return buffer;
+}
+
+Bytes GltfDocument::data(int index, const std::string& place) {
+  Buffer& known = buffer(index);
+  if (known.is_read) return known.bytes;
+  const GltfValue& json = buffer_json_[static_cast<size_t>(index)];
+  if (json.has("uri")) {
+    known.owned = read_uri(json.text("uri", ""), json.where("uri"));
+    known.bytes = known.owned;
+  } else if (index == 0 && binary_chunk_) {
+    known.bytes = *binary_chunk_;
+  } else {
+    json.fail_in(
+        "uri", "is missing, and {} needs its data; valid without: the first buffer of a .glb, fallbacks of compression", place);
+  }
+  if (known.bytes.size() < known.declared)
+    json.fail_in("byteLength", "is {}; the data has only {} bytes", known.declared, known.bytes.size());
+  known.is_read = true;
+  return known.bytes;
 }
 
 void GltfDocument::read_views() {
@@ -184,24 +223,22 @@ void GltfDocument::read_views() {
     View view;
     view.place = json.place();
     view.buffer = json.required_index("buffer", buffers_.size(), "buffers");
-    const uint64_t size = buffers_[static_cast<size_t>(view.buffer)].declared;
+    const uint64_t size = buffer(view.buffer).declared;
     view.length = json.required_integer("byteLength", 1, size);
     view.offset = json.integer("byteOffset", 0, 0, size - view.length);
     view.stride = json.integer("byteStride", 0, 4, 252);
-    if (const auto extension = json.extension("EXT_meshopt_compression"))
-      view.compressed = read_compressed(*extension, view.length);
+    if (const auto extension = meshopt_extension(json)) view.compressed = read_compressed(*extension, view.length);
     views_.push_back(std::move(view));
   }
 }
 
-GltfDocument::Compressed GltfDocument::read_compressed(const GltfValue& json, uint64_t view_length) const {
+GltfDocument::Compressed GltfDocument::read_compressed(const GltfValue& json, uint64_t view_length) {
   Compressed result;
   result.place = json.place();
   result.buffer = json.required_index("buffer", buffers_.size(), "buffers");
-  const Buffer& buffer = buffers_[static_cast<size_t>(result.buffer)];
-  if (!buffer.has_data) json.fail_in("buffer", "{} is a fallback without data", result.buffer);
-  result.length = json.required_integer("byteLength", 1, buffer.bytes.size());
-  result.offset = json.integer("byteOffset", 0, 0, buffer.bytes.size() - result.length);
+  const uint64_t size = buffer(result.buffer).declared;
+  result.length = json.required_integer("byteLength", 1, size);
+  result.offset = json.integer("byteOffset", 0, 0, size - result.length);
   result.stride = json.required_integer("byteStride", 1, 256);
   result.count = json.required_integer("count", 1, uint64_t{1} << 32);
   result.mode = json.text("mode", "");
@@ -213,23 +250,24 @@ GltfDocument::Compressed GltfDocument::read_compressed(const GltfValue& json, ui
   return result;
 }
 
-void GltfDocument::decode(View& view) {
+bool GltfDocument::decode(View& view) {
+  if (view.is_decoded) return true;
   const Compressed& c = *view.compressed;
-  const Bytes encoded = buffers_[static_cast<size_t>(c.buffer)].bytes.subspan(c.offset, c.length);
+  const bool has_data = (c.buffer == 0 && binary_chunk_) || buffer_json_[static_cast<size_t>(c.buffer)].has("uri");
+  if (!has_data) fail("{}: {}.buffer: is {}, a fallback without data", name_, c.place, c.buffer);
+  const Bytes encoded = data(c.buffer, c.place).subspan(c.offset, c.length);
   const auto problem = decode_meshopt({c.count, c.stride, c.mode, c.filter}, encoded, view.decoded);
-  if (!problem.empty()) fail("{}: {}: {}", name_, c.place, problem);
-  view.is_decoded = true;
+  view.is_decoded = problem.empty();
+  if (!view.is_decoded && !buffer_json_[static_cast<size_t>(view.buffer)].has("uri"))
+    fail("{}: {}: {}", name_, c.place, problem);
+  if (!view.is_decoded) log_warning("{}: {}: {}; its uncompressed fallback is read instead", name_, c.place, problem);
+  return view.is_decoded;
 }
 
 Bytes GltfDocument::view(int index, const std::string& place) {
   View& view = views_[static_cast<size_t>(index)];
-  if (view.compressed) {
-    if (!view.is_decoded) decode(view);
-    return view.decoded;
-  }
-  const Buffer& buffer = buffers_[static_cast<size_t>(view.buffer)];
-  if (!buffer.has_data) fail("{}: {}: uses {}, whose buffer is a fallback without data", name_, place, view.place);
-  return buffer.bytes.subspan(view.offset, view.length);
+  if (view.compressed && decode(view)) return view.decoded;
+  return data(view.buffer, place).subspan(view.offset, view.length);
 }
 
 }  // namespace gnomon

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/file_finder.h"
 #include "scene/gltf/gltf_json.h"
 
 namespace gnomon {
@@ -31,7 +32,8 @@ class GltfBudget {
 
 class GltfDocument {
  public:
-  // `bytes` must outlive the document. Refuses what is damaged as a container, and extensions that are required but unknown.
+  // `bytes` must outlive the document. Refuses what is damaged as a container, and required extensions that may change what
+  // stands where and are not read. Buffers are read when something needs them: others may be missing or too short.
   GltfDocument(Bytes bytes, const std::string& name, const std::filesystem::path& folder);
 
   GltfValue root() const { return GltfValue(json_, name_, ""); }
@@ -40,7 +42,7 @@ class GltfDocument {
   GltfBudget& budget() { return budget_; }
 
   size_t view_count() const { return views_.size(); }
-  // The bytes of a buffer view, decompressed where EXT_meshopt_compression says so. `place`: who asks.
+  // The bytes of a buffer view, decompressed where meshopt compression says so. `place`: who asks.
   Bytes view(int index, const std::string& place);
   uint64_t view_length(int index) const { return views_[static_cast<size_t>(index)].length; }
   size_t view_stride(int index) const { return views_[static_cast<size_t>(index)].stride; }  // 0: packed
@@ -52,10 +54,10 @@ class GltfDocument {
 
  private:
   struct Buffer {
+    uint64_t declared = 0;  // bytes; 0: no view has named it yet
+    bool is_read = false;
     std::vector<std::byte> owned;
     Bytes bytes;
-    bool has_data = false;  // false: only a fallback for readers without EXT_meshopt_compression
-    uint64_t declared = 0;
   };
   struct Compressed {
     int buffer = 0;
@@ -72,19 +74,25 @@ class GltfDocument {
     std::string place;
   };
 
+  std::string_view digits_of(std::string_view data_uri, const std::string& place) const;
   void split_binary(Bytes bytes);
   void parse_json(std::string_view text, size_t offset);
   void check_asset() const;
-  void read_buffers();
+  void check_required_extensions() const;
+  Buffer& buffer(int index);
+  Bytes data(int buffer, const std::string& place);
   void read_views();
-  Compressed read_compressed(const GltfValue& json, uint64_t view_length) const;
-  void decode(View& view);
+  Compressed read_compressed(const GltfValue& json, uint64_t view_length);
+  // False where the compressed data cannot be read but an uncompressed fallback is there.
+  bool decode(View& view);
 
   std::string name_;
   std::filesystem::path folder_;
+  mutable FileFinder finder_;  // remembers what it guessed
   GltfBudget budget_;
   nlohmann::json json_;
   std::optional<Bytes> binary_chunk_;
+  std::vector<GltfValue> buffer_json_;
   std::vector<Buffer> buffers_;
   std::vector<View> views_;
 };

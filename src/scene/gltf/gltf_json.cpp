@@ -172,6 +172,15 @@ std::vector<std::string> GltfValue::texts(std::string_view key) const {
   return result;
 }
 
+std::vector<float> GltfValue::floats(std::string_view key) const {
+  const json* value = find(key);
+  if (!value) return {};
+  if (!value->is_array()) fail_in(key, "is {}; valid: an array of numbers", found(*value));
+  std::vector<float> result(value->size());
+  read_floats(key, result.size(), result.data());
+  return result;
+}
+
 bool GltfValue::read_floats(std::string_view key, size_t count, float* values) const {
   const json* value = find(key);
   if (!value) return false;

@@ -59,6 +59,7 @@ class GltfValue {
   bool flag(std::string_view key, bool otherwise) const;
   std::string text(std::string_view key, const std::string& otherwise) const;
   std::vector<std::string> texts(std::string_view key) const;
+  std::vector<float> floats(std::string_view key) const;
   template <int N>
   glm::vec<N, float> vector(std::string_view key, const glm::vec<N, float>& otherwise) const {
     glm::vec<N, float> result = otherwise;

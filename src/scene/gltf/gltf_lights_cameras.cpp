@@ -8,7 +8,7 @@ namespace gnomon {
 
 Camera read_gltf_camera(const GltfValue& json) {
   Camera camera;
-  camera.name = json.text("name", json.place());
+  camera.name = json.text("name", "");
   const std::string type = json.text("type", "");
   constexpr double k_least = 1e-6;
   if (type == "perspective") {
@@ -35,7 +35,7 @@ Camera read_gltf_camera(const GltfValue& json) {
 
 Light read_gltf_light(const GltfValue& json) {
   Light light;
-  light.name = json.text("name", json.place());
+  light.name = json.text("name", "");
   const std::string type = json.text("type", "");
   if (type == "directional") {
     light.kind = LightKind::directional;

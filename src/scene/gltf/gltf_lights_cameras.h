@@ -6,10 +6,11 @@
 
 namespace gnomon {
 
-// An element of `cameras`. A perspective without zfar, which reaches to infinity, has far = 0.
+// An element of `cameras`; without a name of its own it has none. A perspective without zfar, which reaches to infinity, has
+// far = 0.
 Camera read_gltf_camera(const GltfValue& json);
 
-// An element of `lights` of KHR_lights_punctual.
+// An element of `lights` of KHR_lights_punctual; the same of names.
 Light read_gltf_light(const GltfValue& json);
 
 }  // namespace gnomon

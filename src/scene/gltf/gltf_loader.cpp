@@ -11,14 +11,14 @@
 namespace gnomon {
 
 Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string& name, const std::filesystem::path& folder,
-                            const SceneFileOptions& /*options*/) {
+                            const SceneFileOptions& options) {
   GltfDocument document(bytes, name, folder);
   Scene scene;
   scene.source = name;
   scene.name = std::filesystem::path(name).filename().string();
   const GltfAccessors accessors(document);
   GltfMaterials materials(document, scene);
-  add_gltf_nodes(document, accessors, read_gltf_meshes(document, accessors, materials), scene);
+  add_gltf_nodes(document, accessors, read_gltf_meshes(document, accessors, materials), options, scene);
   if (scene.materials.empty()) materials.default_material();
   check_scene(scene);
   return scene;

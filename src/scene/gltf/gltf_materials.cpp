@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/file.h"
 #include "base/log.h"
+#include "base/webp.h"
 #include "scene/parallel.h"
 #include "scene/texture_tools.h"
 
@@ -42,11 +42,13 @@ bool names_base_colour_texture(const GltfValue& material) {
 GltfMaterials::GltfMaterials(GltfDocument& document, Scene& scene) : document_(document), scene_(scene) {
   const GltfValue root = document.root();
   images_ = root.objects("images");
-  for (const GltfValue& image : images_) read_picture(image);
-  const auto samplers = root.objects("samplers");
-  for (const GltfValue& sampler : samplers) read_wrap(sampler, "wrapS"), read_wrap(sampler, "wrapT");
-  for (const GltfValue& texture : root.objects("textures")) read_texture(texture, samplers);
-  for (const GltfValue& material : root.objects("materials")) read_material(material);
+  samplers_ = root.objects("samplers");
+  textures_ = root.objects("textures");
+  const std::vector<bool> used = used_materials();
+  for (const GltfValue& material : root.objects("materials")) {
+    is_used_ = used[scene_.materials.size()];
+    read_material(material);
+  }
   decode_pictures();
   settle_coverage();
   warn_of_lost_cutouts();
@@ -62,30 +64,36 @@ int GltfMaterials::default_material() {
 
 // --- pictures --------------------------------------------------------------------------------------------------------
 
-// Only checked here: pictures that no material uses are not decoded.
-void GltfMaterials::read_picture(const GltfValue& json) {
-  const int view = json.index("bufferView", document_.view_count(), "bufferViews");
-  const std::string uri = json.text("uri", "");
-  if ((view < 0) == uri.empty()) json.fail_here("valid: either uri or bufferView");
+// Of any primitive, placed or not.
+std::vector<bool> GltfMaterials::used_materials() const {
+  std::vector<bool> used(document_.root().objects("materials").size(), false);
+  for (const GltfValue& mesh : document_.root().objects("meshes")) {
+    for (const GltfValue& primitive : mesh.objects("primitives")) {
+      const int material = primitive.index("material", used.size(), "materials");
+      if (material >= 0) used[static_cast<size_t>(material)] = true;
+    }
+  }
+  return used;
 }
 
-void GltfMaterials::read_texture(const GltfValue& json, const std::vector<GltfValue>& samplers) {
+GltfMaterials::Sampled GltfMaterials::read_texture(const GltfValue& json) const {
   Sampled texture;
   texture.image = json.index("source", images_.size(), "images");
-  const int sampler = json.index("sampler", samplers.size(), "samplers");
+  if (const auto webp = json.extension("EXT_texture_webp"); webp && texture.image < 0)
+    texture.image = webp->index("source", images_.size(), "images");
+  const int sampler = json.index("sampler", samplers_.size(), "samplers");
   if (sampler >= 0) {
-    texture.wrap_u = read_wrap(samplers[static_cast<size_t>(sampler)], "wrapS");
-    texture.wrap_v = read_wrap(samplers[static_cast<size_t>(sampler)], "wrapT");
+    texture.wrap_u = read_wrap(samplers_[static_cast<size_t>(sampler)], "wrapS");
+    texture.wrap_v = read_wrap(samplers_[static_cast<size_t>(sampler)], "wrapT");
   }
-  if (texture.image < 0)
-    log_warning("{}: {}: has no picture in a format that is read (PNG, JPEG)", document_.name(), json.place());
-  textures_.push_back(texture);
+  return texture;
 }
 
 void GltfMaterials::load_picture(Picture& picture, const GltfValue& json) {
   picture.place = json.place();
   const int view = json.index("bufferView", document_.view_count(), "bufferViews");
   const std::string uri = json.text("uri", "");
+  if ((view < 0) == uri.empty()) json.fail_here("valid: either uri or bufferView");
   picture.name = json.text("name", uri.starts_with("data:") || uri.empty() ? json.place() : uri);
   if (view >= 0) {
     const Bytes bytes = document_.view(view, json.where("bufferView"));
@@ -104,14 +112,17 @@ void GltfMaterials::decode_pictures() {
   }
   Progress progress("reading textures of " + document_.name(), work.size());
   parallel_for(work.size(), progress, [&](size_t i) {
-    work[i]->image = decode_image(work[i]->encoded, fmt::format("{}: {}", document_.name(), work[i]->place));
+    const std::string name = fmt::format("{}: {}", document_.name(), work[i]->place);
+    work[i]->image = is_webp(work[i]->encoded) ? decode_webp(work[i]->encoded, name) : decode_image(work[i]->encoded, name);
     work[i]->encoded = {};
   });
   for (size_t i = 0; i < scene_.textures.size(); ++i) scene_.textures[i].image = pictures_.at(picture_of_texture_[i]).image;
 }
 
 int GltfMaterials::texture(const GltfValue& info, bool srgb, UvTransform& transform, int& uv_set) {
-  const Sampled& sampled = textures_[static_cast<size_t>(info.required_index("index", textures_.size(), "textures"))];
+  if (!is_used_) return k_no_texture;
+  const GltfValue& json = textures_[static_cast<size_t>(info.required_index("index", textures_.size(), "textures"))];
+  const Sampled sampled = read_texture(json);
   uv_set = static_cast<int>(info.integer("texCoord", 0, 0, 255));
   if (const auto extension = info.extension("KHR_texture_transform")) {
     transform =
@@ -119,7 +130,11 @@ int GltfMaterials::texture(const GltfValue& info, bool srgb, UvTransform& transf
                           extension->vector<2>("scale", vec2(1.0f)));
     uv_set = static_cast<int>(extension->integer("texCoord", static_cast<uint64_t>(uv_set), 0, 255));
   }
-  if (sampled.image < 0) return k_no_texture;
+  if (sampled.image < 0) {
+    log_warning("{}: {}: has no picture in a format that is read (PNG, JPEG, WebP; KTX2 and DDS are not)", document_.name(),
+                json.place());
+    return k_no_texture;
+  }
   const auto [picture, is_new_picture] = pictures_.try_emplace(sampled.image);
   if (is_new_picture) load_picture(picture->second, images_[static_cast<size_t>(sampled.image)]);
   if (picture->second.encoded.empty()) return k_no_texture;
@@ -154,7 +169,7 @@ void GltfMaterials::read_material(const GltfValue& json) {
   } else if (mode != "OPAQUE") {
     json.fail_in("alphaMode", "is \"{}\"; valid: OPAQUE, MASK, BLEND", mode);
   }
-  if (mode != "OPAQUE" && material.base_colour_texture == k_no_texture && names_base_colour_texture(json))
+  if (is_used_ && mode != "OPAQUE" && material.base_colour_texture == k_no_texture && names_base_colour_texture(json))
     without_cutouts_.push_back(material.name);
 
   material.emissive = json.vector<3>("emissiveFactor", vec3(0.0f));

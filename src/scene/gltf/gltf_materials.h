@@ -10,8 +10,9 @@
 
 namespace gnomon {
 
-// Adds the file's materials to the scene, in its order, and the textures that they use. A picture that is not there is a
-// warning (the material keeps its colour); one that cannot be decoded is an error.
+// Adds the file's materials to the scene, in its order, and the textures of those that a mesh uses: others may be damaged. A
+// picture that is not there, or in a format that is not read, is a warning (the material keeps its colour); one that cannot be
+// decoded is an error.
 class GltfMaterials {
  public:
   GltfMaterials(GltfDocument& document, Scene& scene);
@@ -28,8 +29,13 @@ class GltfMaterials {
     Image8 image;
   };
 
-  void read_picture(const GltfValue& json);
-  void read_texture(const GltfValue& json, const std::vector<GltfValue>& samplers);
+  struct Sampled {
+    int image = -1;
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  };
+
+  std::vector<bool> used_materials() const;
+  Sampled read_texture(const GltfValue& json) const;
   void read_material(const GltfValue& json);
   void read_specular_glossiness(const GltfValue& json, Material& material, int& uv_set);
   void read_metallic_roughness(const GltfValue& json, Material& material, int& uv_set);
@@ -41,15 +47,10 @@ class GltfMaterials {
   void settle_coverage();
   void warn_of_lost_cutouts() const;
 
-  struct Sampled {
-    int image = -1;
-    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
-  };
-
   GltfDocument& document_;
   Scene& scene_;
-  std::vector<GltfValue> images_;
-  std::vector<Sampled> textures_;
+  std::vector<GltfValue> images_, samplers_, textures_;
+  bool is_used_ = false;                 // the material that is being read
   std::map<int, Picture> pictures_;      // by image, those that are used
   std::vector<int> picture_of_texture_;  // scene texture -> image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> made_;

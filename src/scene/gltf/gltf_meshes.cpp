@@ -1,4 +1,4 @@
-// Meshes of a glTF file as triangles: attributes, Draco data, strips and fans.
+// Meshes of a glTF file as triangles: attributes, morph targets, Draco data, strips and fans.
 #include "scene/gltf/gltf_meshes.h"
 
 #include <algorithm>
@@ -7,9 +7,7 @@
 
 #include "base/interrupt.h"
 #include "base/log.h"
-#include "scene/finish_part.h"
 #include "scene/gltf/gltf_compression.h"
-#include "scene/parallel.h"
 
 namespace gnomon {
 namespace {
@@ -34,15 +32,29 @@ std::vector<uint32_t> triangles_of(Mode mode, std::vector<uint32_t> indices) {
   return triangles;
 }
 
+// What was wrong with the vertices of a mesh and could be mended.
+struct Mended {
+  size_t normals = 0, tangents = 0, uvs = 0, colours = 0, without_weights = 0;
+  bool other_morphs = false;  // targets of attributes that are not read
+};
+
+// A direction without length is as good as none.
+template <class T>
+size_t without_length(const std::vector<T>& directions) {
+  return static_cast<size_t>(
+      std::count_if(directions.begin(), directions.end(), [](const T& v) { return !(glm::length(glm::dvec3(v)) > 1e-20); }));
+}
+
 // One primitive: finds out which vertices its triangles use, then reads only those. Files often share one large vertex
 // buffer among hundreds of primitives.
 class Primitive {
  public:
-  Primitive(GltfDocument& document, const GltfAccessors& accessors, GltfMaterials& materials, const GltfValue& json)
-      : document_(document), accessors_(accessors), materials_(materials), json_(json) {}
+  Primitive(GltfDocument& document, const GltfAccessors& accessors, GltfMaterials& materials, const GltfValue& json,
+            Mended& mended)
+      : document_(document), accessors_(accessors), materials_(materials), json_(json), mended_(mended) {}
 
   // nullopt where there is nothing to draw as triangles.
-  std::optional<MeshPart> read() {
+  std::optional<GltfPart> read() {
     const auto mode = static_cast<Mode>(json_.integer("mode", k_triangles, k_points, k_fan));
     const int material = json_.index("material", document_.root().objects("materials").size(), "materials");
     const GltfValue attributes = json_.required_object("attributes");
@@ -54,21 +66,24 @@ class Primitive {
     read_draco();
     check_counts();
 
-    MeshPart part;
+    GltfPart result;
+    result.place = json_.place();
+    MeshPart& part = result.part;
     part.material = material >= 0 ? material : materials_.default_material();
     part.indices = triangles_of(mode, read_indices(index_accessor));
     compact(part.indices);
     part.positions = attribute<3>("POSITION");
-    if (has("NORMAL")) part.normals = attribute<3>("NORMAL");
-    if (has("TANGENT")) part.tangents = attribute<4>("TANGENT");
+    read_directions(part);
     const std::string uv = fmt::format("TEXCOORD_{}", materials_.uv_set(material));
-    if (has(uv)) part.uvs = attribute<2>(uv);
+    if (has(uv)) part.uvs = attribute<2>(uv, &mended_.uvs);
     if (has("COLOR_0")) part.colours = colours();
-    return part;
+    for (const GltfValue& target : json_.objects("targets")) result.targets.push_back(read_target(target));
+    if (has("JOINTS_0")) result.influences = read_influences();
+    return result;
   }
 
  private:
-  std::optional<MeshPart> skipped(std::string_view why) const {
+  std::optional<GltfPart> skipped(std::string_view why) const {
     log_warning("{}: {}: left out: {}", document_.name(), json_.place(), why);
     return std::nullopt;
   }
@@ -93,12 +108,14 @@ class Primitive {
   void check_counts() {
     vertex_count_ = is_draco_ ? draco_.vertex_count : accessors_.element_count(accessor_of_.at("POSITION"));
     for (const auto& [name, accessor] : accessor_of_) {
-      if (draco_.attributes.contains(name)) continue;
-      const size_t count = accessors_.element_count(accessor);
-      if (count != vertex_count_) {
-        fail("{}: {}: has {} elements; valid: as many as POSITION, {}", document_.name(), where(name), count, vertex_count_);
-      }
+      if (!draco_.attributes.contains(name)) require_count(accessor, where(name));
     }
+  }
+
+  void require_count(int accessor, const std::string& place) const {
+    const size_t count = accessors_.element_count(accessor);
+    if (count != vertex_count_)
+      fail("{}: {}: has {} elements; valid: as many as POSITION, {}", document_.name(), place, count, vertex_count_);
   }
 
   std::vector<uint32_t> read_indices(int accessor) {
@@ -110,6 +127,60 @@ class Primitive {
       return all;
     }
     return accessors_.indices(accessor, json_.where("indices"));
+  }
+
+  // Those that are not finite or have no length are remade later (scene/finish_part.h).
+  void read_directions(MeshPart& part) {
+    size_t not_finite = 0;  // zero now, and counted as such
+    if (has("NORMAL")) part.normals = attribute<3>("NORMAL", &not_finite);
+    if (has("TANGENT")) part.tangents = attribute<4>("TANGENT", &not_finite);
+    mended_.normals += without_length(part.normals);
+    mended_.tangents += without_length(part.tangents);
+  }
+
+  MorphTarget read_target(const GltfValue& json) {
+    MorphTarget target;
+    for (const auto& [name, accessor] : json.named_indices(accessors_.count(), "accessors")) {
+      std::vector<vec3>* values = name == "POSITION"  ? &target.positions
+                                  : name == "NORMAL"  ? &target.normals
+                                  : name == "TANGENT" ? &target.tangents
+                                                      : nullptr;
+      if (!values) {
+        mended_.other_morphs = true;
+        continue;
+      }
+      require_count(accessor, json.where(name));
+      size_t* lost = name == "POSITION" ? nullptr : name == "NORMAL" ? &mended_.normals : &mended_.tangents;
+      *values = accessors_.floats<3>(accessor, json.where(name), &used_, lost);
+    }
+    return target;
+  }
+
+  SkinInfluences read_influences() {
+    SkinInfluences result;
+    std::vector<std::vector<vec4>> joints, weights;
+    for (size_t set = 0; has(fmt::format("JOINTS_{}", set)); ++set) {
+      const std::string joint = fmt::format("JOINTS_{}", set), weight = fmt::format("WEIGHTS_{}", set);
+      if (!has(weight)) json_.fail_in("attributes", "has {} without {}", joint, weight);
+      if (const auto accessor = accessor_of_.find(joint);
+          accessor != accessor_of_.end() && !accessors_.is_unsigned(accessor->second)) {
+        fail("{}: {}: valid: unsigned integers that are not normalised", document_.name(), where(joint));
+      }
+      joints.push_back(attribute<4>(joint));
+      weights.push_back(attribute<4>(weight));
+    }
+    result.per_vertex = 4 * joints.size();
+    document_.budget().take(joints.size() * used_.size(), where("JOINTS_0"));
+    for (size_t i = 0; i < used_.size(); ++i) {
+      for (size_t set = 0; set < joints.size(); ++set) {
+        for (int c = 0; c < 4; ++c) {
+          result.joints.push_back(static_cast<uint32_t>(joints[set][i][c]));
+          result.weights.push_back(std::max(weights[set][i][c], 0.0f));
+        }
+      }
+    }
+    mended_.without_weights += normalise(result);
+    return result;
   }
 
   // Numbers the used vertices from 0 in their order of appearance in the buffer and remembers which they are.
@@ -129,15 +200,17 @@ class Primitive {
     for (uint32_t& index : indices) index = new_index[index];
   }
 
+  // `lost`: counts values that are not finite, which become zero; without it they are an error.
   template <int N>
-  std::vector<glm::vec<N, float>> attribute(const std::string& name) const {
+  std::vector<glm::vec<N, float>> attribute(const std::string& name, size_t* lost = nullptr) const {
     if (const auto draco = draco_.attributes.find(name); draco != draco_.attributes.end())
-      return from_draco<N>(name, draco->second);
-    return accessors_.floats<N>(accessor_of_.at(name), where(name), &used_);
+      return from_draco<N>(name, draco->second, lost);
+    return accessors_.floats<N>(accessor_of_.at(name), where(name), &used_, lost);
   }
 
   template <int N>
-  std::vector<glm::vec<N, float>> from_draco(const std::string& name, const DracoMesh::Attribute& attribute) const {
+  std::vector<glm::vec<N, float>> from_draco(const std::string& name, const DracoMesh::Attribute& attribute,
+                                             size_t* lost) const {
     if (attribute.components != N) {
       fail("{}: {}: has {} components in the compressed data; valid: {}", document_.name(), where(name), attribute.components,
            N);
@@ -145,11 +218,15 @@ class Primitive {
     const float scale = attribute.normalised ? 1.0f : integer_scale(name);
     std::vector<glm::vec<N, float>> values(used_.size());
     for (size_t i = 0; i < used_.size(); ++i) {
+      bool finite = true;
       for (int c = 0; c < N; ++c) {
         values[i][c] = attribute.values[size_t{used_[i]} * N + static_cast<size_t>(c)] * scale;
-        if (!std::isfinite(values[i][c]))
-          fail("{}: {}: element {} is not finite; valid: finite numbers", document_.name(), where(name), used_[i]);
+        finite = finite && std::isfinite(values[i][c]);
       }
+      if (finite) continue;
+      if (!lost) fail("{}: {}: element {} is not finite; valid: finite numbers", document_.name(), where(name), used_[i]);
+      values[i] = glm::vec<N, float>(0.0f);
+      ++*lost;
     }
     return values;
   }
@@ -160,13 +237,13 @@ class Primitive {
     return accessor == accessor_of_.end() ? 1.0f : accessors_.normalised_scale(accessor->second);
   }
 
-  std::vector<vec4> colours() const {
+  std::vector<vec4> colours() {
     const auto draco = draco_.attributes.find("COLOR_0");
     const int components =
         draco != draco_.attributes.end() ? draco->second.components : accessors_.components(accessor_of_.at("COLOR_0"));
-    if (components == 4) return attribute<4>("COLOR_0");
+    if (components == 4) return attribute<4>("COLOR_0", &mended_.colours);
     std::vector<vec4> result;
-    for (const vec3& colour : attribute<3>("COLOR_0")) result.emplace_back(colour, 1.0f);
+    for (const vec3& colour : attribute<3>("COLOR_0", &mended_.colours)) result.emplace_back(colour, 1.0f);
     return result;
   }
 
@@ -174,6 +251,7 @@ class Primitive {
   const GltfAccessors& accessors_;
   GltfMaterials& materials_;
   const GltfValue& json_;
+  Mended& mended_;
   std::map<std::string, int> accessor_of_;
   DracoMesh draco_;
   bool is_draco_ = false;
@@ -181,25 +259,46 @@ class Primitive {
   std::vector<uint32_t> used_;
 };
 
+void warn_of(const Mended& mended, const GltfDocument& document, const GltfValue& mesh) {
+  const auto warn = [&](size_t count, const char* what) {
+    if (count > 0) log_warning("{}: {} ('{}'): {} {}", document.name(), mesh.place(), mesh.text("name", ""), count, what);
+  };
+  warn(mended.normals, "normals are not finite or have no length; they are made from the faces");
+  warn(mended.tangents, "tangents are not finite or have no length; they are made anew");
+  warn(mended.uvs, "texture coordinates are not finite; they are 0 now");
+  warn(mended.colours, "vertex colours are not finite; they are black now");
+  warn(mended.without_weights, "vertices have no weights of joints; they follow their first joint");
+  if (mended.other_morphs)
+    log_warning("{}: {}: morph targets of texture coordinates and colours are not read", document.name(), mesh.place());
+}
+
+std::vector<float> read_weights(const GltfDocument& document, const GltfValue& mesh, const std::vector<GltfPart>& parts) {
+  const std::vector<float> weights = mesh.floats("weights");
+  const size_t targets = parts.empty() ? weights.size() : parts.front().targets.size();
+  if (!weights.empty() && weights.size() != targets) {
+    log_warning("{}: {}: has {} weights for {} morph targets; those that are missing are 0", document.name(), mesh.place(),
+                weights.size(), targets);
+  }
+  return weights;
+}
+
 }  // namespace
 
-std::vector<Mesh> read_gltf_meshes(GltfDocument& document, const GltfAccessors& accessors, GltfMaterials& materials) {
-  std::vector<Mesh> meshes;
+std::vector<GltfMesh> read_gltf_meshes(GltfDocument& document, const GltfAccessors& accessors, GltfMaterials& materials) {
+  std::vector<GltfMesh> meshes;
   for (const GltfValue& json : document.root().objects("meshes")) {
-    Mesh mesh;
+    GltfMesh mesh;
     mesh.name = json.text("name", json.place());
+    Mended mended;
     for (const GltfValue& primitive : json.objects("primitives")) {
       check_cancelled();
-      if (auto part = Primitive(document, accessors, materials, primitive).read()) mesh.parts.push_back(std::move(*part));
+      if (auto part = Primitive(document, accessors, materials, primitive, mended).read())
+        mesh.parts.push_back(std::move(*part));
     }
+    warn_of(mended, document, json);
+    mesh.weights = read_weights(document, json, mesh.parts);
     meshes.push_back(std::move(mesh));
   }
-  std::vector<MeshPart*> parts;
-  for (Mesh& mesh : meshes) {
-    for (MeshPart& part : mesh.parts) parts.push_back(&part);
-  }
-  Progress progress("preparing " + document.name(), parts.size());
-  parallel_for(parts.size(), progress, [&](size_t i) { finish_part(*parts[i]); });
   return meshes;
 }
 

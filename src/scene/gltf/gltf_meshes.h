@@ -1,15 +1,32 @@
 // Meshes of a glTF file as triangles.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene/gltf/gltf_accessors.h"
 #include "scene/gltf/gltf_materials.h"
+#include "scene/gltf/gltf_morph.h"
+#include "scene/gltf/gltf_skin.h"
 #include "scene/scene.h"
 
 namespace gnomon {
 
+// As the file has it: neither morphed, nor skinned, nor finished.
+struct GltfPart {
+  MeshPart part;
+  std::vector<MorphTarget> targets;
+  SkinInfluences influences;
+  std::string place;  // of its primitive
+};
+
+struct GltfMesh {
+  std::string name;
+  std::vector<float> weights;  // of its morph targets, where a node does not say otherwise
+  std::vector<GltfPart> parts;
+};
+
 // Every mesh of the file, in its order, placed or not; one without triangles has no parts.
-std::vector<Mesh> read_gltf_meshes(GltfDocument& document, const GltfAccessors& accessors, GltfMaterials& materials);
+std::vector<GltfMesh> read_gltf_meshes(GltfDocument& document, const GltfAccessors& accessors, GltfMaterials& materials);
 
 }  // namespace gnomon

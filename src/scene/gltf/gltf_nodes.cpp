@@ -1,24 +1,22 @@
-// The node hierarchy of a glTF file: placed meshes, instances, lights and cameras.
+// The nodes of a glTF file: placed meshes, instances, lights and cameras.
 #include "scene/gltf/gltf_nodes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "base/log.h"
+#include "scene/gltf/gltf_animation.h"
+#include "scene/gltf/gltf_hierarchy.h"
 #include "scene/gltf/gltf_lights_cameras.h"
+#include "scene/gltf/gltf_pose.h"
 
 namespace gnomon {
 namespace {
 
 // Against instance counts that multiply up: some hundred megabytes of objects.
 constexpr size_t k_max_objects = 1u << 20;
-
-glm::quat rotation_of(const vec4& xyzw) { return glm::normalize(glm::quat(xyzw.w, xyzw.x, xyzw.y, xyzw.z)); }
-
-mat4 compose(const vec3& translation, const glm::quat& rotation, const vec3& scale) {
-  return glm::translate(mat4(1.0f), translation) * glm::mat4_cast(rotation) * glm::scale(mat4(1.0f), scale);
-}
 
 // The place and the axes of a node without its scale; lights and cameras have none.
 mat4 rigid(const mat4& world_from_node) {
@@ -39,135 +37,57 @@ mat4 rigid(const mat4& world_from_node) {
   return result;
 }
 
+const char* kind_name(LightKind kind) {
+  return kind == LightKind::directional ? "sun" : kind == LightKind::point ? "point" : "spot";
+}
+
 class Nodes {
  public:
-  Nodes(const GltfDocument& document, const GltfAccessors& accessors, std::vector<Mesh> meshes, Scene& scene)
-      : document_(document), accessors_(accessors), meshes_(std::move(meshes)), scene_(scene) {
+  Nodes(GltfDocument& document, const GltfAccessors& accessors, std::vector<GltfMesh> meshes, const SceneFileOptions& options,
+        Scene& scene)
+      : document_(document), accessors_(accessors), meshes_(std::move(meshes)), scene_(scene), hierarchy_(document) {
     const GltfValue root = document.root();
-    nodes_ = root.objects("nodes");
+    skin_count_ = root.objects("skins").size();
     for (const GltfValue& camera : root.objects("cameras")) cameras_.push_back(read_gltf_camera(camera));
     if (const auto lights = root.extension("KHR_lights_punctual")) {
       for (const GltfValue& light : lights->objects("lights")) lights_.push_back(read_gltf_light(light));
     }
-    read_hierarchy();
+    roots_ = hierarchy_.roots(options.gltf_scene);
+    weights_ = apply_animation(document, accessors, options.animation, options.params.time, hierarchy_);
+    world_from_nodes_ = hierarchy_.world_from_nodes();
   }
 
   void add() {
-    for (const int root : scene_roots()) visit(root);
-    for (const auto& [mesh, index] : mesh_index_)
-      scene_.meshes[static_cast<size_t>(index)] = std::move(meshes_[static_cast<size_t>(mesh)]);
-    if (document_.root().has("skins"))
-      log_warning("{}: skins are not supported; skinned meshes keep their bind pose", document_.name());
+    for (const int root : roots_) visit(root);
+    scene_.meshes = posed_meshes(document_, std::move(meshes_), poses_);
     settle_far_planes();
   }
 
  private:
-  // --- hierarchy ---
-
-  struct Node {
-    mat4 parent_from_node = mat4(1.0f);
-    std::vector<int> children;
-    int parent = -1;
-  };
-
-  mat4 local_transform(const GltfValue& json) const {
-    if (const auto matrix = json.matrix("matrix")) {
-      mat4 m = *matrix;
-      const vec4 last(m[0].w, m[1].w, m[2].w, m[3].w);
-      if (glm::any(glm::greaterThan(glm::abs(last - vec4(0, 0, 0, 1)), vec4(1e-4f)))) {
-        json.fail_in("matrix", "its last row is {} {} {} {}; valid: 0 0 0 1", last.x, last.y, last.z, last.w);
-      }
-      for (int i = 0; i < 4; ++i) m[i].w = i == 3 ? 1.0f : 0.0f;
-      return m;
-    }
-    const vec4 rotation = json.vector<4>("rotation", vec4(0, 0, 0, 1));
-    if (!(glm::length(rotation) > 1e-6f) || !std::isfinite(glm::length(rotation)))
-      json.fail_in("rotation", "valid: a unit quaternion");
-    return compose(json.vector<3>("translation", vec3(0.0f)), rotation_of(rotation), json.vector<3>("scale", vec3(1.0f)));
-  }
-
-  void read_hierarchy() {
-    hierarchy_.resize(nodes_.size());
-    for (size_t i = 0; i < nodes_.size(); ++i) {
-      Node& node = hierarchy_[i];
-      node.parent_from_node = local_transform(nodes_[i]);
-      node.children = nodes_[i].indices("children", nodes_.size(), "nodes");
-      for (size_t k = 0; k < node.children.size(); ++k) {
-        int& parent = hierarchy_[static_cast<size_t>(node.children[k])].parent;
-        if (parent >= 0) {
-          nodes_[i].fail_in(fmt::format("children[{}]", k),
-                            "node {} already has the parent {}; valid: each node below one parent", node.children[k], parent);
-        }
-        parent = static_cast<int>(i);
-      }
-    }
-    refuse_cycles();
-  }
-
-  // With one parent each, what cannot be reached from a node without parent goes round in a circle.
-  void refuse_cycles() const {
-    std::vector<int> open;
-    std::vector<bool> reached(hierarchy_.size(), false);
-    for (size_t i = 0; i < hierarchy_.size(); ++i) {
-      if (hierarchy_[i].parent < 0) open.push_back(static_cast<int>(i));
-    }
-    while (!open.empty()) {
-      const auto node = static_cast<size_t>(open.back());
-      open.pop_back();
-      reached[node] = true;
-      open.insert(open.end(), hierarchy_[node].children.begin(), hierarchy_[node].children.end());
-    }
-    const auto circular = std::find(reached.begin(), reached.end(), false);
-    if (circular != reached.end())
-      nodes_[static_cast<size_t>(circular - reached.begin())].fail_in("children",
-                                                                      "the node is its own ancestor; valid: a tree");
-  }
-
-  // Of the default scene, else the first; of a file without scenes all nodes.
-  std::vector<int> scene_roots() const {
-    const auto scenes = document_.root().objects("scenes");
-    std::vector<std::vector<int>> roots;
-    for (const GltfValue& json : scenes) {
-      roots.push_back(json.indices("nodes", nodes_.size(), "nodes"));
-      for (size_t i = 0; i < roots.back().size(); ++i) {
-        const int node = roots.back()[i], parent = hierarchy_[static_cast<size_t>(node)].parent;
-        if (parent >= 0)
-          json.fail_in(fmt::format("nodes[{}]", i), "node {} is a child of node {}; valid: nodes without parent", node, parent);
-      }
-      std::sort(roots.back().begin(), roots.back().end());
-      roots.back().erase(std::unique(roots.back().begin(), roots.back().end()), roots.back().end());
-    }
-    const int chosen = document_.root().index("scene", scenes.size(), "scenes");
-    if (!roots.empty()) return roots[static_cast<size_t>(std::max(chosen, 0))];
-    std::vector<int> all;
-    for (size_t i = 0; i < hierarchy_.size(); ++i) {
-      if (hierarchy_[i].parent < 0) all.push_back(static_cast<int>(i));
-    }
-    return all;
-  }
-
   // With a stack of its own: a chain of a million nodes must not end ours.
   void visit(int root) {
-    std::vector<std::pair<int, mat4>> open = {{root, mat4(1.0f)}};
+    std::vector<int> open = {root};
     while (!open.empty()) {
-      const auto [index, world_from_parent] = open.back();
+      const int node = open.back();
       open.pop_back();
-      const Node& node = hierarchy_[static_cast<size_t>(index)];
-      const mat4 world_from_node = world_from_parent * node.parent_from_node;
-      add_node(nodes_[static_cast<size_t>(index)], world_from_node);
-      const auto first_child = static_cast<ptrdiff_t>(open.size());
-      for (const int child : node.children) open.emplace_back(child, world_from_node);
-      std::reverse(open.begin() + first_child, open.end());  // the first comes off the stack first
+      const auto visibility = hierarchy_.json(node).extension("KHR_node_visibility");
+      if (visibility && !visibility->flag("visible", true)) continue;  // with all below it
+      add_node(node);
+      const std::vector<int>& children = hierarchy_.children(node);
+      open.insert(open.end(), children.rbegin(), children.rend());  // the first comes off the stack first
     }
   }
 
-  void add_node(const GltfValue& json, const mat4& world_from_node) {
+  void add_node(int node) {
+    const GltfValue& json = hierarchy_.json(node);
+    const mat4& world_from_node = world_from_nodes_[static_cast<size_t>(node)];
     const int mesh = json.index("mesh", meshes_.size(), "meshes");
     const int camera = json.index("camera", cameras_.size(), "cameras");
-    if (mesh >= 0) add_mesh(json, mesh, world_from_node);
+    if (mesh >= 0) add_mesh(node, mesh);
     if (camera >= 0) {
       Camera placed = cameras_[static_cast<size_t>(camera)];
       placed.name = json.text("name", placed.name);
+      if (placed.name.empty()) placed.name = fmt::format("camera {}", scene_.cameras.size());
       placed.world_from_view = rigid(world_from_node);
       scene_.cameras.push_back(std::move(placed));
     }
@@ -177,6 +97,8 @@ class Nodes {
                         : Light(lights_[static_cast<size_t>(extension->required_index("light", lights_.size(), "lights"))]);
       if (lights_.empty()) extension->fail_in("light", "the file has no lights");
       light.name = json.text("name", light.name);
+      // As the command line counts them.
+      if (light.name.empty()) light.name = fmt::format("{} {}", kind_name(light.kind), scene_.lights.size());
       const mat4 placed = rigid(world_from_node);
       light.position = vec3(placed[3]);
       light.direction = -vec3(placed[2]);
@@ -186,7 +108,11 @@ class Nodes {
 
   // --- objects ---
 
-  void add_mesh(const GltfValue& json, int mesh, const mat4& world_from_node) {
+  void add_mesh(int node, int mesh) {
+    const GltfValue& json = hierarchy_.json(node);
+    const GltfPose pose = pose_of(node, mesh);
+    // A skin places its vertices by itself: where the node stands does not matter.
+    const mat4 world_from_node = pose.skin >= 0 ? mat4(1.0f) : world_from_nodes_[static_cast<size_t>(node)];
     const auto instancing = json.extension("EXT_mesh_gpu_instancing");
     const std::vector<mat4> instances = instancing ? read_instances(*instancing) : std::vector<mat4>{mat4(1.0f)};
     if (meshes_[static_cast<size_t>(mesh)].parts.empty()) return;
@@ -196,19 +122,49 @@ class Nodes {
     // glTF has no word for it; "extras" is where applications put theirs.
     const auto extras = json.object("extras");
     const bool casts = !extras || extras->flag("casts_shadow", true);
+    const int placed_mesh = place_mesh(pose);
     for (size_t i = 0; i < instances.size(); ++i) {
       Object object;
       object.name = instancing ? fmt::format("{}[{}]", name, i) : name;
       object.world_from_object = world_from_node * instances[i];
-      object.mesh = place_mesh(mesh);
+      object.mesh = placed_mesh;
       object.casts = casts;
       scene_.objects.push_back(std::move(object));
     }
   }
 
-  int place_mesh(int mesh) {
-    const auto [entry, is_new] = mesh_index_.try_emplace(mesh, static_cast<int>(scene_.meshes.size()));
-    if (is_new) scene_.meshes.emplace_back();
+  GltfPose pose_of(int node, int mesh) {
+    const GltfValue& json = hierarchy_.json(node);
+    const GltfMesh& source = meshes_[static_cast<size_t>(mesh)];
+    GltfPose pose{.mesh = mesh, .weights = {}, .skin = json.index("skin", skin_count_, "skins"), .world_from_bind = {}};
+    const auto animated = weights_.find(node);
+    if (animated != weights_.end()) {
+      pose.weights = animated->second;
+    } else {
+      pose.weights = json.has("weights") ? json.floats("weights") : source.weights;
+    }
+    // Shapes that are the same share a mesh.
+    size_t targets = 0;
+    for (const GltfPart& part : source.parts) targets = std::max(targets, part.targets.size());
+    pose.weights.resize(std::min(pose.weights.size(), targets));
+    while (!pose.weights.empty() && pose.weights.back() == 0.0f) pose.weights.pop_back();
+    const bool has_joints =
+        std::none_of(source.parts.begin(), source.parts.end(), [](const GltfPart& part) { return part.influences.empty(); });
+    if (pose.skin >= 0 && !has_joints) {
+      log_warning("{}: {}: has a skin, but its mesh names no joints (JOINTS_0); it is placed like any other", document_.name(),
+                  json.place());
+      pose.skin = -1;
+    }
+    return pose;
+  }
+
+  int place_mesh(GltfPose pose) {
+    const auto [entry, is_new] =
+        mesh_index_.try_emplace(std::tuple(pose.mesh, pose.skin, pose.weights), static_cast<int>(poses_.size()));
+    if (!is_new) return entry->second;
+    if (pose.skin >= 0)
+      pose.world_from_bind = world_from_bind(read_gltf_skin(document_, accessors_, pose.skin), world_from_nodes_);
+    poses_.push_back(std::move(pose));
     return entry->second;
   }
 
@@ -251,21 +207,26 @@ class Nodes {
     }
   }
 
-  const GltfDocument& document_;
+  GltfDocument& document_;
   const GltfAccessors& accessors_;
-  std::vector<Mesh> meshes_;
+  std::vector<GltfMesh> meshes_;
   Scene& scene_;
-  std::vector<GltfValue> nodes_;
-  std::vector<Node> hierarchy_;
+  GltfHierarchy hierarchy_;
+  std::vector<int> roots_;
+  std::vector<mat4> world_from_nodes_;
+  MorphWeights weights_;
+  size_t skin_count_ = 0;
   std::vector<Camera> cameras_;
   std::vector<Light> lights_;
-  std::map<int, int> mesh_index_;  // of the file -> of the scene: only placed meshes are kept
+  std::vector<GltfPose> poses_;                                         // of the scene's meshes, one each
+  std::map<std::tuple<int, int, std::vector<float>>, int> mesh_index_;  // mesh, skin, weights -> of the scene
 };
 
 }  // namespace
 
-void add_gltf_nodes(const GltfDocument& document, const GltfAccessors& accessors, std::vector<Mesh> meshes, Scene& scene) {
-  Nodes(document, accessors, std::move(meshes), scene).add();
+void add_gltf_nodes(GltfDocument& document, const GltfAccessors& accessors, std::vector<GltfMesh> meshes,
+                    const SceneFileOptions& options, Scene& scene) {
+  Nodes(document, accessors, std::move(meshes), options, scene).add();
 }
 
 }  // namespace gnomon

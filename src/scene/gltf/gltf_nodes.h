@@ -1,14 +1,18 @@
-// The node hierarchy of a glTF file: placed meshes, instances, lights and cameras.
+// The nodes of a glTF file: placed meshes, instances, lights and cameras.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene/gltf/gltf_accessors.h"
-#include "scene/scene.h"
+#include "scene/gltf/gltf_meshes.h"
+#include "scene/load.h"
 
 namespace gnomon {
 
-// Adds objects, the meshes that they need, lights and cameras to the scene. Instances share their mesh.
-void add_gltf_nodes(const GltfDocument& document, const GltfAccessors& accessors, std::vector<Mesh> meshes, Scene& scene);
+// Adds objects, the meshes that they need, lights and cameras of the chosen scene, as the chosen animation has them. Instances
+// and nodes of the same shape share their mesh.
+void add_gltf_nodes(GltfDocument& document, const GltfAccessors& accessors, std::vector<GltfMesh> meshes,
+                    const SceneFileOptions& options, Scene& scene);
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <unordered_map>
 
 #include "base/error.h"
@@ -11,6 +12,7 @@
 #include "scene/obj/obj_materials.h"
 #include "scene/obj/obj_mesh.h"
 #include "scene/obj/obj_polygon.h"
+#include "scene/obj/obj_remarks.h"
 #include "scene/obj/obj_text.h"
 #include "scene/parallel.h"
 
@@ -24,10 +26,10 @@ struct Group {
 
 class ObjLoader {
  public:
-  ObjLoader(std::string_view text, const std::string& source)
-      : text_(text), source_(source), progress_("reading " + source, 2 * text.size()) {}
+  ObjLoader(std::string_view text, const ObjSource& source)
+      : text_(text), file_(source), source_(source.name), progress_("reading " + source_, 2 * text.size()) {}
 
-  Scene load(const std::filesystem::path& folder) {
+  Scene load() {
     refuse_other_encodings();
     read_vertices();
     read_faces();
@@ -36,7 +38,7 @@ class ObjLoader {
     scene.source = source_;
     scene.name = std::filesystem::path(source_).filename().string();
     if (material_names_.empty()) material_names_.emplace_back();
-    add_obj_materials(scene, source_, folder, libraries_, material_names_);
+    add_obj_materials(scene, file_, libraries_, material_names_);
     build(scene);
     check_scene(scene);
     return scene;
@@ -118,7 +120,7 @@ class ObjLoader {
   void read_faces() {
     ObjStatements statements(text_);
     for (ObjStatement s; statements.next(s);) {
-      if (s.keyword == "f") {
+      if (s.keyword == "f" || s.keyword == "fo") {  // fo: its name in the first version of the format
         add_face(s);
       } else if (s.keyword == "v") {
         ++seen_.position;
@@ -127,7 +129,8 @@ class ObjLoader {
       } else if (s.keyword == "vn") {
         ++seen_.normal;
       } else if (s.keyword == "usemtl") {
-        material_ = material_index(std::string(s.rest));
+        material_name_ = s.rest;
+        material_ = k_none_yet;
         faces_ = nullptr;
       } else if (s.keyword == "mtllib") {
         if (std::find(libraries_.begin(), libraries_.end(), s.rest) == libraries_.end()) libraries_.emplace_back(s.rest);
@@ -135,13 +138,12 @@ class ObjLoader {
         if (s.keyword == "o") object_name_ = s.rest, group_name_.clear();
         if (s.keyword == "g") group_name_ = s.rest;
         faces_ = nullptr;
+      } else {
+        remarks_.skipped(s.keyword, s.line);
       }
       progress_.update(text_.size() + s.offset);
     }
-    if (short_faces_ > 0) {
-      log_warning("{}:{}: {} face(s) with fewer than three corners are left out (this is the first)", source_,
-                  first_short_face_, short_faces_);
-    }
+    remarks_.say(source_);
   }
 
   int material_index(const std::string& name) {
@@ -150,8 +152,9 @@ class ObjLoader {
     return entry->second;
   }
 
-  // From 1, or negative: relative to the lines before this one. Vertices may follow the faces that use them.
-  int32_t resolve(std::string_view digits, size_t count, int32_t seen, const char* what, size_t line) const {
+  // From 1, or negative: relative to the lines before this one. Vertices may follow the faces that use them. nullopt: there is
+  // no such line.
+  std::optional<int32_t> resolve(std::string_view digits, size_t count, int32_t seen, size_t line) const {
     int64_t index = 0;
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (result.ec == std::errc::invalid_argument || result.ptr != digits.data() + digits.size()) {
@@ -159,9 +162,7 @@ class ObjLoader {
     }
     const bool overflow = result.ec != std::errc();
     const int64_t absolute = index < 0 ? seen + index : index - 1;
-    if (overflow || index == 0 || absolute < 0 || absolute >= static_cast<int64_t>(count)) {
-      fail_at(line, "{} index {} is out of range; valid: {}", what, digits, valid_indices(count, seen));
-    }
+    if (overflow || index == 0 || absolute < 0 || absolute >= static_cast<int64_t>(count)) return std::nullopt;
     return static_cast<int32_t>(absolute);
   }
   static std::string valid_indices(size_t count, int32_t seen) {
@@ -169,20 +170,34 @@ class ObjLoader {
     return seen > 0 ? fmt::format("1 to {}, or -{} to -1", count, seen) : fmt::format("1 to {}", count);
   }
 
-  ObjCorner corner(std::string_view word, size_t line) const {
+  int32_t position_index(std::string_view digits, size_t line) const {
+    const size_t count = vertices_.positions.size();
+    const auto index = resolve(digits, count, seen_.position, line);
+    if (!index) fail_at(line, "vertex index {} is out of range; valid: {}", digits, valid_indices(count, seen_.position));
+    return *index;
+  }
+
+  // Without a position there is no face; without the other two there is still a shadow.
+  ObjCorner corner(std::string_view word, size_t line) {
     ObjCorner result;
     const size_t first = word.find('/'), second = first == word.npos ? word.npos : word.find('/', first + 1);
-    result.position = resolve(word.substr(0, first), vertices_.positions.size(), seen_.position, "vertex", line);
+    result.position = position_index(word.substr(0, first), line);
     if (first == word.npos) return result;
     const auto uv = word.substr(first + 1, second == word.npos ? word.npos : second - first - 1);
-    if (!uv.empty()) result.uv = resolve(uv, vertices_.uvs.size(), seen_.uv, "texture coordinate", line);
+    if (!uv.empty()) result.uv = or_lost(resolve(uv, vertices_.uvs.size(), seen_.uv, line), lost_.uv);
     if (second == word.npos || second + 1 == word.size()) return result;
-    result.normal = resolve(word.substr(second + 1), vertices_.normals.size(), seen_.normal, "normal", line);
+    const auto normal = resolve(word.substr(second + 1), vertices_.normals.size(), seen_.normal, line);
+    result.normal = or_lost(normal, lost_.normal);
     return result;
+  }
+  static int32_t or_lost(std::optional<int32_t> index, bool& lost) {
+    lost = lost || !index;
+    return index.value_or(k_absent);
   }
 
   void add_face(const ObjStatement& statement) {
     polygon_.clear(), polygon_positions_.clear(), triangles_.clear();
+    lost_ = {};
     bool has_normals = true;
     std::string_view rest = statement.rest;
     for (std::string_view word; !(word = next_word(rest)).empty();) {
@@ -191,10 +206,9 @@ class ObjLoader {
       has_normals = has_normals && polygon_.back().normal != k_absent &&
                     vertices_.normals[static_cast<size_t>(polygon_.back().normal)] != vec3(0.0f);
     }
-    if (polygon_.size() < 3) {
-      if (short_faces_++ == 0) first_short_face_ = statement.line;
-      return;
-    }
+    if (polygon_.size() < 3) return remarks_.face(ObjRemarks::too_few_corners, statement.line);
+    if (lost_.uv) remarks_.face(ObjRemarks::without_uv, statement.line);
+    if (lost_.normal) remarks_.face(ObjRemarks::without_normal, statement.line);
     if (!triangulate(polygon_positions_, triangles_)) {
       fail_at(statement.line, "a concave polygon of {} corners; valid: at most {}", polygon_.size(), k_max_concave_corners);
     }
@@ -203,6 +217,7 @@ class ObjLoader {
       for (const uint32_t i : triangle) {
         corners.push_back(polygon_[i]);
         if (!has_normals) corners.back().normal = k_absent;
+        if (lost_.uv) corners.back().uv = k_absent;  // of all corners: a picture between some of them would be smeared
       }
     }
   }
@@ -214,7 +229,7 @@ class ObjLoader {
     const std::string name = object_name_ + separator + group_name_;
     const auto [entry, is_new] = group_of_name_.try_emplace(name, groups_.size());
     if (is_new) groups_.push_back({name, {}});
-    if (material_ < 0) material_ = material_index("");
+    if (material_ == k_none_yet) material_ = material_index(material_name_);
     auto& all = groups_[entry->second].faces;
     auto found = std::find_if(all.begin(), all.end(),
                               [&](const ObjFaces& f) { return f.material == material_ && f.has_normals == has_normals; });
@@ -245,6 +260,7 @@ class ObjLoader {
   }
 
   std::string_view text_;
+  const ObjSource& file_;
   const std::string& source_;
   Progress progress_;
 
@@ -254,14 +270,20 @@ class ObjLoader {
     int32_t position = 0, uv = 0, normal = 0;
   } seen_;  // lines so far, in the second pass
   std::string object_name_, group_name_;
-  int material_ = -1;
+  // Numbered with its first face: what no face uses is not read.
+  static constexpr int k_none_yet = -1;
+  std::string material_name_;
+  int material_ = k_none_yet;
   ObjFaces* faces_ = nullptr;
   std::vector<Group> groups_;
   std::unordered_map<std::string, size_t> group_of_name_;
   std::unordered_map<std::string, int> material_of_name_;
   std::vector<std::string> material_names_, libraries_;
-  size_t short_faces_ = 0, first_short_face_ = 0;
+  ObjRemarks remarks_;
 
+  struct {
+    bool uv = false, normal = false;
+  } lost_;                          // indices of the current face that point at nothing
   std::vector<ObjCorner> polygon_;  // scratch of add_face
   std::vector<vec3> polygon_positions_;
   std::vector<std::array<uint32_t, 3>> triangles_;
@@ -270,8 +292,9 @@ class ObjLoader {
 }  // namespace
 
 Scene load_obj_from_memory(std::string_view text, const std::string& name, const std::filesystem::path& folder,
-                           const SceneFileOptions& /*options*/) {
-  return ObjLoader(text, name).load(folder);
+                           const SceneFileOptions& options) {
+  const ObjSource source{name, folder, options};
+  return ObjLoader(text, source).load();
 }
 
 Scene load_obj(const std::filesystem::path& path, const SceneFileOptions& options) {

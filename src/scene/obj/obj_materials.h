@@ -5,14 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "scene/load.h"
 #include "scene/scene.h"
 
 namespace gnomon {
 
+struct ObjSource {
+  std::string name;              // for messages
+  std::filesystem::path folder;  // where files are looked for; empty: none is found
+  SceneFileOptions options;
+};
+
 // Adds to the scene one material for each name (in order; "" is the default one) and the textures that they use. What is
-// missing - a library, a name in it, a picture - is a warning that starts with `source`, and the material keeps its colour.
-// `libraries`: what follows `mtllib`; files are looked for in `folder` (empty: none is found).
-void add_obj_materials(Scene& scene, const std::string& source, const std::filesystem::path& folder,
-                       const std::vector<std::string>& libraries, const std::vector<std::string>& names);
+// missing - a library, a name in it, a picture - is a warning, and the material keeps its colour. `libraries`: what follows
+// `mtllib`.
+void add_obj_materials(Scene& scene, const ObjSource& source, const std::vector<std::string>& libraries,
+                       const std::vector<std::string>& names);
 
 }  // namespace gnomon

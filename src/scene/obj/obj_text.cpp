@@ -1,9 +1,11 @@
-// The text of an OBJ file as statements, and its numbers.
+// The text of OBJ and MTL files as statements, and their numbers.
 #include "scene/obj/obj_text.h"
 
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+
+#include "base/lower_case.h"
 
 namespace gnomon {
 namespace {
@@ -17,7 +19,11 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool has_name(std::string_view keyword) {
-  return keyword == "usemtl" || keyword == "mtllib" || keyword == "o" || keyword == "g";
+  const std::string lower = lower_case(keyword);
+  for (const std::string_view known : {"usemtl", "mtllib", "o", "g", "newmtl", "bump", "norm"}) {
+    if (lower == known) return true;
+  }
+  return lower.starts_with("map_");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The text of an OBJ file as statements, and its numbers. tinyobjloader's reader of geometry is not used: it turns what is no
-// number (nan included) into 0 and cannot say on which line an index is out of range.
+// The text of OBJ and MTL files as statements, and their numbers. tinyobjloader is not used: it turns what is no number (nan
+// included) into 0, takes the name of a picture for the third number of -s, and cannot say on which line something is wrong.
 #pragma once
 
 #include <optional>
