@@ -3,7 +3,8 @@
 //
 //   if (!receives_light(light, position, normal)) visibility = 0, no receiver
 //   origin = ray_origin(position, normal, eye distance, plane extent)
-//   for each sample: ray = light_ray(light, origin, light_sample(index, pixel, seed)); skip it unless above_horizon(ray, normal)
+//   for each sample: ray = light_ray(light, origin, light_sample(index, pixel, seed));
+//                    skip it unless above_horizon(ray, normal)
 //   visibility = unoccluded / counted samples; the ray to the centre alone where none counted
 //
 // Directions below the receiver's own tangent plane count in neither number. The cosine of the shading already makes their
@@ -54,7 +55,9 @@ inline_function mat3 basis_around(vec3 n) {
 }
 
 // Directional and projector lights: the same direction everywhere.
-inline_function bool is_parallel(LightShape light) { return light.kind == k_light_directional || light.kind == k_light_projector; }
+inline_function bool is_parallel(LightShape light) {
+  return light.kind == k_light_directional || light.kind == k_light_projector;
+}
 
 // Unit vector from a point toward the light's centre.
 inline_function vec3 direction_to_light(LightShape light, vec3 position) {

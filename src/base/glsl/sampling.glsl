@@ -50,8 +50,8 @@ inline_function vec2 concentric_disc(vec2 square) {
   return vec2(r * cos(phi), r * sin(phi));
 }
 
-// A point on the same side of its surface as `normal` (unit, the side the ray leaves on), far enough that the ray cannot hit its
-// own surface, near enough that no shadow detaches. Three errors add up, in metres along the normal:
+// A point on the same side of its surface as `normal` (unit, the side the ray leaves on), far enough that the ray cannot hit
+// its own surface, near enough that no shadow detaches. Three errors add up, in metres along the normal:
 // - rounding of coordinates in the chain vertex -> depth -> position -> object space: up to 17 * 2^-24 of the largest one
 //   (measured: 10 for the inverse projection, the rest for the transforms); 2^-19 has a margin of two;
 // - the rasteriser moves vertices to a grid of 1/256 pixel, which tilts the depth of a surface seen at a grazing angle: up to

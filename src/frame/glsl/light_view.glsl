@@ -7,9 +7,9 @@ namespace gnomon {
 #endif
 
 shared_constant uint k_view_projective = 0u;  // clip_from_world says all
-// One half of all directions around a point onto a disc of radius `rim` (Brabec, Annen and Seidel 2002): clip_from_world is a rigid
-// transform to the light's axes (the half space looks along +z) whose last row is (0, 0, 0, rim); depth is the distance. Beyond the rim
-// lies the beginning of the other half, for kernels.
+// One half of all directions around a point onto a disc of radius `rim` (Brabec, Annen and Seidel 2002): clip_from_world is a
+// rigid transform to the light's axes (the half space looks along +z) whose last row is (0, 0, 0, rim); depth is the distance.
+// Beyond the rim lies the beginning of the other half, for kernels.
 shared_constant uint k_view_paraboloid = 1u;
 
 struct LightView {
@@ -18,8 +18,8 @@ struct LightView {
   float near_m;  // paraboloid: distances at depth 0 and 1
   float far_m;
   uint in_use;   // 0: this frame does not need the layer; nothing is drawn into it
-  // Where |x| and |y| of clip space stay below this, every point of the column is served by this layer or a finer one (a lower number):
-  // what casts only there need not be drawn into coarser layers. 0: nowhere.
+  // Where |x| and |y| of clip space stay below this, every point of the column is served by this layer or a finer one (a lower
+  // number): what casts only there need not be drawn into coarser layers. 0: nowhere.
   float served;
   float kernel_m;  // how far from a point's own place its kernel reads in this layer, metres
   float texel_clip;  // paraboloid: a texel's side in clip space

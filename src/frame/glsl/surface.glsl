@@ -21,7 +21,8 @@ void view_ray(CameraData camera, uvec2 pixel, uint s, out vec3 origin, out vec3 
   direction = camera.orthographic != 0u ? camera.forward_ws : camera.forward_ws + sideways;
 }
 
-// False where the camera sees the sky. `camera` and `data` are the frame's: a kernel that loads several samples reads them once.
+// False where the camera sees the sky. `camera` and `data` are the frame's: a kernel that loads several samples reads them
+// once.
 bool load_surface(CameraData camera, SurfaceData data, uvec2 pixel, uint s, out Surface surface) {
   uint index = sample_index(camera, pixel, s);
   float z = data.view_z.v[index];

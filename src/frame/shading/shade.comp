@@ -1,4 +1,5 @@
-// Lights the surface buffer through the visibility masks: ambient + Lambert (+ Blinn-Phong), tone curve, resolve of the samples.
+// Lights the surface buffer through the visibility masks: ambient + Lambert (+ Blinn-Phong), tone curve, resolve of the
+// samples.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/bindless.glsl"
@@ -33,13 +34,15 @@ float attenuation(LightData light, vec3 to_light, float distance_m) {
   }
   if (light.shape.kind == k_light_spot) {
     float cosine = dot(-to_light, light.shape.direction);
-    float t = clamp((cosine - light.shape.cos_outer_cone) / max(light.cos_inner_cone - light.shape.cos_outer_cone, 1e-4), 0.0, 1.0);
+    float t =
+        clamp((cosine - light.shape.cos_outer_cone) / max(light.cos_inner_cone - light.shape.cos_outer_cone, 1e-4), 0.0, 1.0);
     result *= t * t;
   }
   return result;
 }
 
-vec3 shade_light(LightData light, Surface surface, vec3 normal, vec3 to_eye, vec3 albedo, MaterialData material, float visibility) {
+vec3 shade_light(LightData light, Surface surface, vec3 normal, vec3 to_eye, vec3 albedo, MaterialData material,
+                 float visibility) {
   vec3 offset = is_parallel(light.shape) ? -light.shape.direction : light.shape.position - surface.position_ws;
   float distance_m = length(offset);
   vec3 to_light = offset / distance_m;
@@ -56,7 +59,8 @@ vec3 shade_light(LightData light, Surface surface, vec3 normal, vec3 to_eye, vec
 
 vec3 sky(vec3 direction) {
   float height = clamp(normalize(direction).y * 0.5 + 0.5, 0.0, 1.0);
-  return mix(vec3(0.75, 0.72, 0.66), mix(vec3(0.78, 0.83, 0.88), vec3(0.26, 0.44, 0.72), smoothstep(0.5, 0.95, height)), smoothstep(0.44, 0.52, height));
+  return mix(vec3(0.75, 0.72, 0.66), mix(vec3(0.78, 0.83, 0.88), vec3(0.26, 0.44, 0.72), smoothstep(0.5, 0.95, height)),
+             smoothstep(0.44, 0.52, height));
 }
 
 // Filmic curve (Narkowicz 2015), then the sRGB transfer function.
@@ -79,7 +83,8 @@ void shade_pixel(uvec2 pixel) {
       vec3 normal = normalize(fetch(data.normal_image, ivec2(pixel), int(s)).xyz);
       MaterialData material = data.scene.materials.v[data.scene.items.v[data.surface.item.v[index]].material];
       // Sky above, warm bounce below.
-      colour = material.emissive + albedo * data.ambient * mix(vec3(0.52, 0.46, 0.40), vec3(0.80, 0.95, 1.15), normal.y * 0.5 + 0.5);
+      colour =
+          material.emissive + albedo * data.ambient * mix(vec3(0.52, 0.46, 0.40), vec3(0.80, 0.95, 1.15), normal.y * 0.5 + 0.5);
       for (uint light = 0u; light < data.light_count; ++light) {
         float visibility = max(mask.v[light * camera.size.x * camera.size.y * k_samples + index], 0.0);
         colour += shade_light(data.lights.v[light], surface, normal, -normalize(direction), albedo, material, visibility);

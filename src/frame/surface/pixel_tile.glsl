@@ -1,5 +1,5 @@
-// Which pixels a thread handles in kernels over the picture: four, because what all pixels share costs more to read than a pixel's own.
-// A group of 8 x 8 threads covers a tile of k_pixel_tile x k_pixel_tile.
+// Which pixels a thread handles in kernels over the picture: four, because what all pixels share costs more to read than a
+// pixel's own. A group of 8 x 8 threads covers a tile of k_pixel_tile x k_pixel_tile.
 #ifndef GNOMON_PIXEL_TILE_GLSL
 #define GNOMON_PIXEL_TILE_GLSL
 #include "base/glsl/shared.glsl"

@@ -1,5 +1,5 @@
-// Vertices of the surface pass: what the camera sees. All that a material says is looked up here: fragments, of which there are many more,
-// then read nothing but textures.
+// Vertices of the surface pass: what the camera sees. All that a material says is looked up here: fragments, of which there are
+// many more, then read nothing but textures.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "base/glsl/alpha.glsl"
@@ -32,6 +32,7 @@ void main() {
   tint = material.base_colour.rgb * unpackUnorm4x8(attributes.colour).rgb;
   scalars = vec3(material.base_colour.a, material.seen_cutoff, material.normal_scale);
   ids = uvec4(gl_InstanceIndex, mirrored ? 1u : 0u, texture_lookup(material.base_texture, material.base_sampler),
-              frame.v.normal_maps != 0u ? texture_lookup(material.normal_texture, material.normal_sampler) : k_no_texture_index);
+              frame.v.normal_maps != 0u ? texture_lookup(material.normal_texture, material.normal_sampler)
+                                        : k_no_texture_index);
   gl_Position = frame.v.camera.clip_from_world * vec4(position_ws, 1.0);
 }

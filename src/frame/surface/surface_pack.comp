@@ -89,7 +89,8 @@ void pack_pixel(uvec2 pixel) {
     share |= leader << (4u * s);
     uint index = sample_index(camera, pixel, s);
     data.surface.view_z.v[index] = samples[s].z;
-    data.surface.geometric_normal.v[index] = pack_normal(samples[s].item == k_no_item ? vec3(0.0, 1.0, 0.0) : samples[s].normal);
+    data.surface.geometric_normal.v[index] =
+        pack_normal(samples[s].item == k_no_item ? vec3(0.0, 1.0, 0.0) : samples[s].normal);
     data.surface.item.v[index] = samples[s].item;
     data.surface.primitive.v[index] = samples[s].primitive;
   }

@@ -1,5 +1,5 @@
-// A depth map blended with the last frame's. Depths go to a buffer, from which they are copied into the map: compute cannot write a
-// depth format, and the next frame reads them there.
+// A depth map blended with the last frame's. Depths go to a buffer, from which they are copied into the map: compute cannot
+// write a depth format, and the next frame reads them there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/bindless.glsl"

@@ -35,7 +35,8 @@ void main() {
     if (any(greaterThanEqual(texel, uvec2(arguments.size)))) continue;
     vec4 value = texel_at(texel);
     if (value.x >= 1.0 && arguments.kind <= k_map_depth_samples) continue;
-    uvec4 ordered = uvec4(order_preserving(value.x), order_preserving(value.y), order_preserving(value.z), order_preserving(value.w));
+    uvec4 ordered =
+        uvec4(order_preserving(value.x), order_preserving(value.y), order_preserving(value.z), order_preserving(value.w));
     low = min(low, ordered);
     high = max(high, ordered);
   }

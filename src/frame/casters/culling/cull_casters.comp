@@ -1,5 +1,6 @@
-// Writes the indirect draws of a shadow map's layers, in the order of the scene: a first dispatch counts each chunk's draws, a second
-// one writes them behind those of the chunks before. Neighbouring ranges of one item that survive together become one draw.
+// Writes the indirect draws of a shadow map's layers, in the order of the scene: a first dispatch counts each chunk's draws, a
+// second one writes them behind those of the chunks before. Neighbouring ranges of one item that survive together become one
+// draw.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/casters/caster_data.glsl"
@@ -26,8 +27,8 @@ bool behind_paraboloid(CasterRange range, LightView view) {
   return centre.z + dot(abs(axis), half_size) < paraboloid_edge(paraboloid_rim(view)) * farthest;
 }
 
-// A caster between the light and the view is drawn although it lies before the near plane: its bounds are swept along the light.
-// Behind the far plane there is nothing that it could shadow.
+// A caster between the light and the view is drawn although it lies before the near plane: its bounds are swept along the
+// light. Behind the far plane there is nothing that it could shadow.
 bool touches(CasterRange range, LightView view) {
   if (view.in_use == 0u) return false;
   if (arguments.cull == 0u) return true;
@@ -38,8 +39,8 @@ bool touches(CasterRange range, LightView view) {
   return !outside_plane(range, rows[3] - rows[2]);
 }
 
-// Whether all that the range can shadow lies where a finer layer serves it. A kernel of layer `l` that reads from outside that place must
-// still meet the caster.
+// Whether all that the range can shadow lies where a finer layer serves it. A kernel of layer `l` that reads from outside that
+// place must still meet the caster.
 bool served_by_finer(CasterRange range, uint l, float kernel_m) {
   vec3 centre = 0.5 * (range.bounds_min_ws + range.bounds_max_ws), half_size = range.bounds_max_ws - centre;
   for (uint finer = 0u; finer < l; ++finer) {

@@ -1,6 +1,6 @@
-// Alpha tests of casters in the raster: the same four texels of mip 0 and the same arithmetic (base/glsl/alpha.glsl) as a ray's, so that a
-// texel of the map is the point sample of the caster that a ray through it would be. The vertex shader looks the material up, which a
-// fragment would do again and again, and one gather fetches the texels.
+// Alpha tests of casters in the raster: the same four texels of mip 0 and the same arithmetic (base/glsl/alpha.glsl) as a
+// ray's, so that a texel of the map is the point sample of the caster that a ray through it would be. The vertex shader looks
+// the material up, which a fragment would do again and again, and one gather fetches the texels.
 #ifndef GNOMON_CASTER_ALPHA_GLSL
 #define GNOMON_CASTER_ALPHA_GLSL
 #include "base/glsl/alpha.glsl"
@@ -19,7 +19,8 @@ AlphaLookup alpha_lookup(MaterialData material, vec2 uv, out vec2 position) {
     ivec2 size = textureSize(material_textures[nonuniformEXT(material.base_texture)], 0);
     position = texel_position(transform_uv(material.base_uv_u, material.base_uv_v, uv), size);
     lookup.scale.xy = 1.0 / vec2(size);
-    lookup.texture = texture_lookup(material.base_texture, material_sampler(k_material_nearest, material.base_wrap_u, material.base_wrap_v));
+    lookup.texture =
+        texture_lookup(material.base_texture, material_sampler(k_material_nearest, material.base_wrap_u, material.base_wrap_v));
   }
   return lookup;
 }

@@ -1,6 +1,6 @@
 // Casters in paraboloid views, exactly: each triangle becomes the box of its true outline on the disc, and the fragment shader
-// intersects each texel's ray with it. (Bending at the vertices, as Brabec et al. 2002 draw, misplaces edges and depths of triangles
-// that are large as seen from the light; the box around the curved outline follows Gascuel et al. 2008.)
+// intersects each texel's ray with it. (Bending at the vertices, as Brabec et al. 2002 draw, misplaces edges and depths of
+// triangles that are large as seen from the light; the box around the curved outline follows Gascuel et al. 2008.)
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/casters/draw/caster_alpha.glsl"
@@ -38,13 +38,16 @@ const Box k_nothing = Box(vec2(1e30), vec2(-1e30));
 void add(inout Box box, vec2 at) { box.low = min(box.low, at), box.high = max(box.high, at); }
 
 // Whether a direction on the great circle with normal n lies between a and b.
-bool on_arc(vec3 a, vec3 b, vec3 n, vec3 direction) { return dot(cross(a, direction), n) >= 0.0 && dot(cross(direction, b), n) >= 0.0; }
+bool on_arc(vec3 a, vec3 b, vec3 n, vec3 direction) {
+  return dot(cross(a, direction), n) >= 0.0 && dot(cross(direction, b), n) >= 0.0;
+}
 
 // How far an arc over that chord leaves it at most. An arc's radius is 1 / |n.z|, and more than its chord.
 float bulge(vec2 chord, float n_z) { return 0.25 * dot(chord, chord) * abs(n_z); }
 
-// Adds the part of the edge from a to b that lies on the disc of radius `reach`: an arc of the circle around n.xy / n.z with radius
-// 1 / |n.z|, since great circles stay circles. `edge`: cosine of the disc's rim. False where the edge passes the light: its arc is any.
+// Adds the part of the edge from a to b that lies on the disc of radius `reach`: an arc of the circle around n.xy / n.z with
+// radius 1 / |n.z|, since great circles stay circles. `edge`: cosine of the disc's rim. False where the edge passes the light:
+// its arc is any.
 bool add_edge(vec3 a, vec3 b, float reach, float edge, inout Box box) {
   Box arc = k_nothing;
   if (a.z >= edge * length(a)) add(arc, on_disc(a));
@@ -94,7 +97,9 @@ Box outline(vec3 a, vec3 b, vec3 c, float reach) {
     vec2 at = vec2(0.0);
     at[i & 1] = i < 2 ? reach : -reach;
     vec3 direction = on_sphere(at);
-    if (side * dot(cross(a, b), direction) >= 0.0 && side * dot(cross(b, c), direction) >= 0.0 && side * dot(cross(c, a), direction) >= 0.0) add(box, at);
+    if (side * dot(cross(a, b), direction) >= 0.0 && side * dot(cross(b, c), direction) >= 0.0 &&
+        side * dot(cross(c, a), direction) >= 0.0)
+      add(box, at);
   }
   return box;
 }
@@ -119,7 +124,8 @@ void main() {
     bool turned = dot(cross(a, b), c) < 0.0;
     for (int i = 0; i < 4; ++i) {
       bool right = (i & 1) == 1, bottom = (i & 2) == 2;
-      vec2 at = turned ? vec2(bottom ? high.x : low.x, right ? high.y : low.y) : vec2(right ? high.x : low.x, bottom ? high.y : low.y);
+      vec2 at = turned ? vec2(bottom ? high.x : low.x, right ? high.y : low.y)
+                       : vec2(right ? high.x : low.x, bottom ? high.y : low.y);
       gl_Layer = int(layer);
       gl_Position = vec4(at, 0.5, 1.0);
       disc_of_texel = vec2(view.texel_clip, -1.0) / rim;

@@ -20,8 +20,8 @@ layout(location = 8) flat in vec2 depths;
 layout(location = 0) out uint id;
 #endif
 
-// Volume of a, b and the ray. Exactly the opposite for b, a (no fused multiply-add), so that no ray passes between two triangles
-// that share an edge.
+// Volume of a, b and the ray. Exactly the opposite for b, a (no fused multiply-add), so that no ray passes between two
+// triangles that share an edge.
 float beside(vec3 a, vec3 b, vec3 ray) {
   precise float x = a.y * b.z - a.z * b.y, y = a.z * b.x - a.x * b.z, z = a.x * b.y - a.y * b.x;
   precise float volume = (x * ray.x + y * ray.y) + z * ray.z;

@@ -12,6 +12,8 @@ layout(push_constant, scalar) uniform Push {
 
 uint item_of(uint instance) { return instance & ((1u << k_instance_item_bits) - 1u); }
 uint tag_of(uint instance) { return instance >> k_instance_item_bits; }
-vec4 clip_in_layer(uint layer, vec3 position_ws) { return light_clip(light_view(pass.views, pass.stride, layer).v, position_ws); }
+vec4 clip_in_layer(uint layer, vec3 position_ws) {
+  return light_clip(light_view(pass.views, pass.stride, layer).v, position_ws);
+}
 
 #endif

@@ -16,7 +16,8 @@ void main() {
   uint item = item_of(gl_InstanceIndex);
   vec3 position_ws = to_world(pass.scene.items.v[item], pass.scene.positions.v[gl_VertexIndex]);
 #ifdef CASTER_ATTRIBUTES
-  lookup = alpha_lookup(pass.scene.materials.v[pass.scene.items.v[item].material], pass.scene.attributes.v[gl_VertexIndex].uv, texel);
+  lookup = alpha_lookup(pass.scene.materials.v[pass.scene.items.v[item].material], pass.scene.attributes.v[gl_VertexIndex].uv,
+                        texel);
   item_index = item;
 #endif
 #if defined(CASTER_PER_LAYER)

@@ -1,6 +1,7 @@
-// Comparisons of the receiver's plane with stored depths: what percentage-closer filters are made of. 1 lit, 0 shadowed. Each texel
-// is compared with the depth that the plane has at that texel's own centre, so no slack is needed that would detach shadows. (One
-// depth for all four texels of a tap, lowered by the plane's change within a texel, lit 71 % of a forest whose texels are metres wide.)
+// Comparisons of the receiver's plane with stored depths: what percentage-closer filters are made of. 1 lit, 0 shadowed. Each
+// texel is compared with the depth that the plane has at that texel's own centre, so no slack is needed that would detach
+// shadows. (One depth for all four texels of a tap, lowered by the plane's change within a texel, lit 71 % of a forest whose
+// texels are metres wide.)
 #ifndef GNOMON_COMPARE_GLSL
 #define GNOMON_COMPARE_GLSL
 #include "shadow/map/glsl/map_data.glsl"
@@ -31,7 +32,8 @@ vec4 compare_four(uint map_image, MapSample at, vec2 first) {
   bvec4 lit = greaterThanEqual(stored, receiver);
   bvec2 low = lessThan(first, vec2(0.0)), next_low = lessThan(first, vec2(-1.0));
   bvec2 high = greaterThanEqual(first, vec2(at.size)), next_high = greaterThanEqual(first, vec2(at.size - 1.0));
-  bvec2 out_first = bvec2(low.x || high.x, low.y || high.y), out_next = bvec2(next_low.x || next_high.x, next_low.y || next_high.y);
+  bvec2 out_first = bvec2(low.x || high.x, low.y || high.y),
+        out_next = bvec2(next_low.x || next_high.x, next_low.y || next_high.y);
   return vec4(lit.x || out_first.x || out_first.y, lit.y || out_next.x || out_first.y, lit.z || out_first.x || out_next.y,
               lit.w || out_next.x || out_next.y);
 }

@@ -1,14 +1,17 @@
-// Encodes the depth map and blurs it in one pass: a thread marches down a strip of columns, blurs each row, keeps the last rows' results
-// in registers and writes their weighted sum, so each texel is encoded about once and written once. A row's neighbours come from the other
-// threads of the group through shared memory (k_share: a GPU, where they wait for nothing else), or the thread encodes k_columns texels and
-// their apron itself (a CPU, where shared memory and barriers cost more than encoding). The includer has defined
+// Encodes the depth map and blurs it in one pass: a thread marches down a strip of columns, blurs each row, keeps the last
+// rows' results in registers and writes their weighted sum, so each texel is encoded about once and written once. A row's
+// neighbours come from the other threads of the group through shared memory (k_share: a GPU, where they wait for nothing else),
+// or the thread encodes k_columns texels and their apron itself (a CPU, where shared memory and barriers cost more than
+// encoding). The includer has defined
 //   #define MOMENTS float | vec2 | vec3 | vec4           what a texel stores
 //   MOMENTS encode(float linear, vec2 slope, float depth_range_m, FilterParams params)
-//                                                        linear depth [0, 1]; its change from this texel to the next; metres from 0 to 1
+//                                                        linear depth [0, 1]; its change from this texel to the next; metres
+//                                                        from 0 to 1
 //   vec4 stored(MOMENTS blurred, FilterParams params)    what goes into the image
 // and optionally
 //   #define MOMENTS_NEED_SLOPE                           slope is then filled
-//   #define MOMENTS_LOG condition                        where true, MOMENTS is a float that holds a logarithm: exponentials are summed
+//   #define MOMENTS_LOG condition                        where true, MOMENTS is a float that holds a logarithm: exponentials
+//                                                        are summed
 layout(buffer_reference, scalar) readonly buffer FilterParamsRef { FilterParams v; };
 layout(push_constant, scalar) uniform Push {
   ShadowViews views;
@@ -69,7 +72,8 @@ float linear_at(ivec2 texel, int s) {
 #ifdef MOMENTS_LOG
 float sum_of(float a, float b) { return MOMENTS_LOG ? max(a, b) + log(1.0 + exp(-abs(a - b))) : a + b; }
 float mean_of(float sum, int count) { return MOMENTS_LOG ? sum - log(float(count)) : sum / float(count); }
-// sum w exp(x) = exp(m) sum w exp(x - m), m the largest x: no exponential leaves the range of floats, however far apart the entries.
+// sum w exp(x) = exp(m) sum w exp(x - m), m the largest x: no exponential leaves the range of floats, however far apart the
+// entries.
 #define BLUR(source, first, result)                                                                        \
   if (MOMENTS_LOG) {                                                                                       \
     float most = source[first];                                                                            \

@@ -3,8 +3,8 @@
 #define GNOMON_DISC_GLSL
 
 const uint k_poisson_points = 64u;
-// No two of the first n points are near each other, for any n: each is the best of 2000 random candidates, by its distance to those
-// before it and twice that to the rim (best candidate, Mitchell 1991).
+// No two of the first n points are near each other, for any n: each is the best of 2000 random candidates, by its distance to
+// those before it and twice that to the rim (best candidate, Mitchell 1991).
 const vec2 k_poisson[k_poisson_points] = vec2[](
     vec2(0.0741, -0.0312), vec2(-0.6738, -0.0779), vec2(-0.3185, 0.5962), vec2(-0.2608, -0.6427),
     vec2(0.4023, 0.5755), vec2(0.7215, -0.0615), vec2(0.3750, -0.6112), vec2(-0.7025, 0.3739),

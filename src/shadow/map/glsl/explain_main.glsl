@@ -1,5 +1,5 @@
-// The kernel of overlays and picks. With GNOMON_EXPLAIN_MAP the includer has defined ProjectionParams, project() and what map_sample.glsl
-// needs.
+// The kernel of overlays and picks. With GNOMON_EXPLAIN_MAP the includer has defined ProjectionParams, project() and what
+// map_sample.glsl needs.
 #include "shadow/map/glsl/explain_data.glsl"
 #ifdef GNOMON_EXPLAIN_MAP
 #include "shadow/map/glsl/explain_map.glsl"
@@ -24,7 +24,8 @@ uint flag_of(uvec2 pixel, uint s, Surface surface) {
 #ifdef GNOMON_EXPLAIN_MAP
   uint layers[2];
   float weights[2];
-  if (project(ShadowViews(arguments.views), ProjectionParamsRef(arguments.projection).v, surface.position_ws, layers, weights) == 0u) {
+  if (project(ShadowViews(arguments.views), ProjectionParamsRef(arguments.projection).v, surface.position_ws, layers,
+              weights) == 0u) {
     return k_flag_outside;
   }
 #endif

@@ -1,11 +1,12 @@
-// Where the surface that a texel holds lay in the last frame's map. A surface has a place in both maps, whatever moved: the viewer,
-// whom cascades follow, or the light itself. So what is blended are two looks at one surface; what smears are surfaces that only
-// one of them saw.
+// Where the surface that a texel holds lay in the last frame's map. A surface has a place in both maps, whatever moved: the
+// viewer, whom cascades follow, or the light itself. So what is blended are two looks at one surface; what smears are surfaces
+// that only one of them saw.
 #ifndef GNOMON_HISTORY_GLSL
 #define GNOMON_HISTORY_GLSL
 #include "shadow/map/glsl/map_data.glsl"
 
-const uint k_history_none = 0u;   // the last map does not know this layer, or it is a paraboloid that moved: lines are arcs there
+// The last map does not know this layer, or it is a paraboloid that moved: lines are arcs there.
+const uint k_history_none = 0u;
 const uint k_history_same = 1u;   // the same view: texel for texel
 const uint k_history_moved = 2u;
 

@@ -27,7 +27,8 @@ vec4 last_at(vec2 uv, uint layer) {
     values[i] = texelFetch(images_2d_array[last_map], ivec3(texels[i], layer), 0);
     if (weights[i] > 1e-6) most = max(most, values[i]);
   }
-  if (k_logarithms == 0u) return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2] + weights[3] * values[3];
+  if (k_logarithms == 0u)
+    return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2] + weights[3] * values[3];
   for (int i = 0; i < 4; ++i) sum += weights[i] > 1e-6 ? weights[i] * exp(values[i] - most) : vec4(0.0);
   return most + log(sum);
 }
@@ -46,7 +47,8 @@ bool last_moments(ShadowView now, ShadowView before, vec2 uv, uint layer, float 
   }
   float scale = (linear_now[1] - linear_now[0]) / (linear_before[1] - linear_before[0]);
   float offset = linear_now[0] - scale * linear_before[0];
-  found = with_depth_changed(last_at(there.xy, layer), scale, offset, vec2(before.depth_range_m, now.depth_range_m), map_filter.v);
+  found =
+      with_depth_changed(last_at(there.xy, layer), scale, offset, vec2(before.depth_range_m, now.depth_range_m), map_filter.v);
   // Views from two sides have nothing in common.
   return scale > 0.0;
 }

@@ -1,5 +1,5 @@
-// What a projection and a filter exchange, for C++ and shaders. A projection never asks who reads the sample; a filter never asks
-// which projection made it.
+// What a projection and a filter exchange, for C++ and shaders. A projection never asks who reads the sample; a filter never
+// asks which projection made it.
 #ifndef GNOMON_MAP_DATA_GLSL
 #define GNOMON_MAP_DATA_GLSL
 #include "frame/glsl/light_view.glsl"
@@ -9,9 +9,9 @@ namespace gnomon {
 
 shared_constant uint k_max_layers = 8u;
 
-// One layer of the map as seen from the light. Depth in the map runs from 0 (near the light) to 1. Linear depth runs from 0 to 1 in
-// proportion to metres: dot(linear_numerator, (ndc, 1)) / dot(linear_denominator, (ndc, 1)) turns the map's depth into it, at any
-// place of the map, so that filters may store something that blurs correctly under perspective and warps.
+// One layer of the map as seen from the light. Depth in the map runs from 0 (near the light) to 1. Linear depth runs from 0 to
+// 1 in proportion to metres: dot(linear_numerator, (ndc, 1)) / dot(linear_denominator, (ndc, 1)) turns the map's depth into it,
+// at any place of the map, so that filters may store something that blurs correctly under perspective and warps.
 struct ShadowView {
   LightView raster;
   mat4 world_from_clip;     // projective views
@@ -23,7 +23,8 @@ struct ShadowView {
   float texel_m;            // side of a texel where clip w is 1, metres (the larger side); paraboloid: at 1 m on the axis
   float size;               // texels along a side
   float border;             // texels at each edge that only wide kernels may read
-  float texel_along_m;      // warped views: side of a texel along the warp where clip w is 1; it grows with the square of w. Others: 0
+  float texel_along_m;      // warped views: side of a texel along the warp where clip w is 1; it grows with the square of w.
+                            // Others: 0
   vec2 interval_m;          // distances along the viewer's axis that the layer is fitted to
   float unused;
 };

@@ -1,5 +1,5 @@
-// A receiver's place in a layer of the map. Where the views are paraboloids (k_view_paraboloid), the includer has defined the macro
-// GNOMON_PROJECTION_PARABOLOID.
+// A receiver's place in a layer of the map. Where the views are paraboloids (k_view_paraboloid), the includer has defined the
+// macro GNOMON_PROJECTION_PARABOLOID.
 #ifndef GNOMON_MAP_SAMPLE_GLSL
 #define GNOMON_MAP_SAMPLE_GLSL
 #include "shadow/map/glsl/bias.glsl"
@@ -47,14 +47,15 @@ MapSample sample_of(ShadowViews views, uint layer, BiasParams bias, float radius
   MapSample at;
   at.layer = layer;
   at.size = view.size;
-  float w = k_projective ? (view.raster.clip_from_world * vec4(receiver.position_ws, 1.0)).w : length(receiver.position_ws - view.origin_ws);
+  float w = k_projective ? (view.raster.clip_from_world * vec4(receiver.position_ws, 1.0)).w
+                         : length(receiver.position_ws - view.origin_ws);
   at.texel_m = max(view.texel_m, view.texel_along_m * w) * max(w, 0.0);
   vec3 moved = biased_position(bias, receiver.position_ws, receiver.normal_ws, receiver.to_light, at.texel_m, radius, layer);
   vec4 clip = map_clip(view, moved);
   vec3 ndc = clip.xyz / clip.w;
   at.uv = ndc.xy * 0.5 + 0.5;
-  // Depths of 32 bits are exact to some 1e-7 only, which far from a perspective's near plane is millimetres: more than a small bias.
-  // Beyond the far plane compares as the far plane itself: what the map does not reach is lit.
+  // Depths of 32 bits are exact to some 1e-7 only, which far from a perspective's near plane is millimetres: more than a small
+  // bias. Beyond the far plane compares as the far plane itself: what the map does not reach is lit.
   at.depth = min(ndc.z - k_depth_rounding, 1.0);
   at.linear_numerator = view.linear_numerator;
   at.linear_denominator = view.linear_denominator;

@@ -20,8 +20,8 @@ struct MapProbeArguments {
   uint texel_x, texel_y;
 };
 
-// Of one layer: the value at a texel, and the range of each channel as order_preserving() makes it. Of depth maps, texels without a
-// caster do not count.
+// Of one layer: the value at a texel, and the range of each channel as order_preserving() makes it. Of depth maps, texels
+// without a caster do not count.
 struct MapProbe {
   vec4 value;
   uvec4 least, most;

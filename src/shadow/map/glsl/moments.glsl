@@ -11,9 +11,9 @@ vec4 moments_tap(uint map_image, MapSample at, vec2 uv, float level) {
                     vec3(uv, float(at.layer)), level);
 }
 
-// Bilinear; with mips the mean over the pixel's footprint: trilinear taps along its longer side, as wide as its shorter one. The
-// anisotropic sampler is there for that, but Mesa's CPU driver takes a single tap where gradients are given: it blurred the shorter
-// side as far as the longer, and the error in `courtyard` was half as large again.
+// Bilinear; with mips the mean over the pixel's footprint: trilinear taps along its longer side, as wide as its shorter one.
+// The anisotropic sampler is there for that, but Mesa's CPU driver takes a single tap where gradients are given: it blurred the
+// shorter side as far as the longer, and the error in `courtyard` was half as large again.
 vec4 moments_at(uint map_image, MapSample at, bool mips) {
   if (!mips) return moments_tap(map_image, at, at.uv, 0.0);
   vec2 sides = at.size * vec2(length(at.footprint_x), length(at.footprint_y));  // texels

@@ -59,7 +59,8 @@ float evaluate(Uniforms uniforms, uvec2 pixel, uint s) {
 #ifdef GNOMON_FILTER_NOISE
   // Interleaved gradient noise (Jimenez 2014), and the same shifted: neighbours differ as much as they can.
   vec2 at = vec2(pixel) + 0.5;
-  receiver.noise = fract(52.9829189 * fract(vec2(dot(at, vec2(0.06711056, 0.00583715)), dot(at + 47.0, vec2(0.00583715, 0.06711056)))));
+  receiver.noise =
+      fract(52.9829189 * fract(vec2(dot(at, vec2(0.06711056, 0.00583715)), dot(at + 47.0, vec2(0.00583715, 0.06711056)))));
 #endif
   return visibility(views, map_image, uniforms.projection, uniforms.map_filter, uniforms.bias, receiver);
 }

@@ -11,7 +11,8 @@
 #include "shadow/map/glsl/map_sample.glsl"
 
 // 1 lit, 0 shadowed.
-float visibility(ShadowViews views, uint map_image, ProjectionParams projection, FilterParams map_filter, BiasParams bias, Receiver receiver) {
+float visibility(ShadowViews views, uint map_image, ProjectionParams projection, FilterParams map_filter, BiasParams bias,
+                 Receiver receiver) {
   uint layers[2];
   float weights[2];
   uint count = project(views, projection, receiver.position_ws, layers, weights);

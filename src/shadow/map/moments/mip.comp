@@ -14,7 +14,8 @@ void main() {
   ivec3 corner = ivec3(at.xy * 2, at.z);
   ivec2 last = imageSize(storage_images[from]).xy - 1;
   vec4 sum = vec4(0.0), texels[4];
-  for (int i = 0; i < 4; ++i) texels[i] = imageLoad(storage_images[from], ivec3(min(corner.xy + ivec2(i & 1, i >> 1), last), at.z));
+  for (int i = 0; i < 4; ++i)
+    texels[i] = imageLoad(storage_images[from], ivec3(min(corner.xy + ivec2(i & 1, i >> 1), last), at.z));
   vec4 most = k_logarithms != 0u ? max(max(texels[0], texels[1]), max(texels[2], texels[3])) : vec4(0.0);
   for (int i = 0; i < 4; ++i) sum += 0.25 * (k_logarithms != 0u ? exp(texels[i] - most) : texels[i]);
   imageStore(storage_images[to], at, k_logarithms != 0u ? most + log(sum) : sum);

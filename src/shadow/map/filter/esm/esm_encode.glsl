@@ -1,5 +1,5 @@
-// c z, whose exponentials are averaged (Annen et al. 2008, eq. 7; log space: Lauritzen 2008). Centred on the middle of the range:
-// exp(c (z - 1/2)) stays within floats for twice the c.
+// c z, whose exponentials are averaged (Annen et al. 2008, eq. 7; log space: Lauritzen 2008). Centred on the middle of the
+// range: exp(c (z - 1/2)) stays within floats for twice the c.
 #define MOMENTS float
 #define MOMENTS_LOG (filter_params.space == space_log)
 #include "shadow/map/filter/esm/esm_scale.glsl"

@@ -1,5 +1,6 @@
 #include "shadow/map/filter/evsm/evsm_warp.glsl"
-// exp(c (s z + o)) = exp(c z)^s exp(c o), and so for the means: exact for one surface, and for any where only the offset differs.
+// exp(c (s z + o)) = exp(c z)^s exp(c o), and so for the means: exact for one surface, and for any where only the offset
+// differs.
 vec4 with_depth_changed(vec4 stored, float scale, float offset, vec2 depth_range_m, FilterParams params) {
   bool half_floats = params.format == format_float16;
   float positive = evsm_exponent(params.positive, half_floats), negative = evsm_exponent(params.negative, half_floats);

@@ -7,7 +7,8 @@ namespace gnomon {
 using glm::exp;
 #endif
 
-// What the squares of exp(c) need: exp(2 x 42) = 3e36 in a 32-bit float (3.4e38), exp(2 x 5.54) = 64860 in a 16-bit one (65504).
+// What the squares of exp(c) need: exp(2 x 42) = 3e36 in a 32-bit float (3.4e38), exp(2 x 5.54) = 64860 in a 16-bit one
+// (65504).
 inline_function float evsm_exponent(float exponent, bool half_floats) { return min(exponent, half_floats ? 5.54f : 42.0f); }
 
 // {exp(c+ z), -exp(-c- z)}, z in [-1, 1] (Lauritzen and McCool 2008, section 4).
@@ -16,9 +17,9 @@ inline_function vec2 evsm_warp(float linear, vec2 exponents) {
   return vec2(exp(exponents.x * z), -exp(-exponents.y * z));
 }
 
-// Chebyshev's bound from the moments of one warp. `least_deviation`: of the unwarped z; the warp stretches it by its derivative,
-// exponent times the warped value. All is divided by the larger of mean and receiver before anything is squared: the quotient of two
-// warps spans exp(168), whose square no float holds, and 0 times infinity is what must not happen.
+// Chebyshev's bound from the moments of one warp. `least_deviation`: of the unwarped z; the warp stretches it by its
+// derivative, exponent times the warped value. All is divided by the larger of mean and receiver before anything is squared:
+// the quotient of two warps spans exp(168), whose square no float holds, and 0 times infinity is what must not happen.
 inline_function float evsm_bound(float mean, float mean_square, float receiver, float exponent, float least_deviation) {
   if (receiver <= mean) return 1.0f;
   float scale = max(max(abs(mean), abs(receiver)), 1e-37f);

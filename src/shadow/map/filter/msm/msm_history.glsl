@@ -9,6 +9,7 @@ vec4 with_depth_changed(vec4 stored, float scale, float offset, vec2 depth_range
   moved.x = s * b.x + o;
   moved.y = s * s * b.y + 2.0 * s * o * b.x + o * o;
   moved.z = s * s * s * b.z + 3.0 * s * s * o * b.y + 3.0 * s * o * o * b.x + o * o * o;
-  moved.w = s * s * s * s * b.w + 4.0 * s * s * s * o * b.z + 6.0 * s * s * o * o * b.y + 4.0 * s * o * o * o * b.x + o * o * o * o;
+  moved.w =
+      s * s * s * s * b.w + 4.0 * s * s * s * o * b.z + 6.0 * s * s * o * o * b.y + 4.0 * s * o * o * o * b.x + o * o * o * o;
   return quantized ? msm_quantized(moved) : moved;
 }

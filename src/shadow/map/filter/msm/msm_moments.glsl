@@ -12,10 +12,12 @@ inline_function vec4 msm_moments(float z) {
   return vec4(z, square, z * square, square * square);
 }
 
-// Odd and even moments are each turned so that what depths can yield fills the unit square: of all affine transforms the one that
-// loses least to 16 bits (Peters, Muenstermann, Wetzstein and Klein 2017, section 2.3). Affine: blur and texture unit may work on it.
+// Odd and even moments are each turned so that what depths can yield fills the unit square: of all affine transforms the one
+// that loses least to 16 bits (Peters, Muenstermann, Wetzstein and Klein 2017, section 2.3). Affine: blur and texture unit may
+// work on it.
 inline_function vec4 msm_quantized(vec4 b) {
-  return vec4(1.5f * b.x - 2.0f * b.z + 0.5f, 4.0f * (b.y - b.w), 0.8660254038f * b.x - 0.3849001795f * b.z + 0.5f, 0.5f * (b.y + b.w));
+  return vec4(1.5f * b.x - 2.0f * b.z + 0.5f, 4.0f * (b.y - b.w), 0.8660254038f * b.x - 0.3849001795f * b.z + 0.5f,
+              0.5f * (b.y + b.w));
 }
 inline_function vec4 msm_unquantized(vec4 q) {
   float x = q.x - 0.5f, z = q.z - 0.5f;
@@ -30,9 +32,9 @@ inline_function float msm_weight(vec4 b, float l21, float d1, float d2, float x)
   return 1.0f / (1.0f + y1 * y1 / d1 + y2 * y2 / d2);
 }
 
-// Least share of the depths that lies before z: the Hamburger four-moment bound (Peters and Klein 2015, algorithm 3; there the weights
-// come from divided differences, which cancel where nodes meet). Defined for every input: the two pivots are clamped, since rounded
-// moments may belong to no distribution at all.
+// Least share of the depths that lies before z: the Hamburger four-moment bound (Peters and Klein 2015, algorithm 3; there the
+// weights come from divided differences, which cancel where nodes meet). Defined for every input: the two pivots are clamped,
+// since rounded moments may belong to no distribution at all.
 inline_function float msm_shadow(vec4 moments, float z, float moment_bias) {
   // Toward a distribution of greatest spread, by as much as rounding may have moved the moments (2017, section 2.4).
   vec4 b = moments + moment_bias * (vec4(0.0f, 0.628f, 0.0f, 0.628f) - moments);

@@ -33,8 +33,9 @@ float texel_weight(FilterParams params, int i, float part) {
 }
 
 // The grid's sum, texel by texel: comparisons that share texels are merged, which leaves size + 1 texels a side (size, without
-// bilinear), read two by two. Without a plane the sampler compares and weighs the two by two itself: a tap between two texels, nearer
-// to the heavier one, gives both their weights (the "optimised PCF" of public samples for 3x3, 5x5 and 7x7, for any size).
+// bilinear), read two by two. Without a plane the sampler compares and weighs the two by two itself: a tap between two texels,
+// nearer to the heavier one, gives both their weights (the "optimised PCF" of public samples for 3x3, 5x5 and 7x7, for any
+// size).
 float optimised(uint map_image, MapSample at, FilterParams params) {
   bool bilinear = params.bilinear != 0u;
   vec2 place = at.uv * at.size - 0.5 * float(params.size - 1) - (bilinear ? 0.5 : 0.0);

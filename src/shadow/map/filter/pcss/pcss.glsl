@@ -3,10 +3,12 @@
 #include "shadow/map/glsl/compare.glsl"
 #include "shadow/map/glsl/disc.glsl"
 
-vec2 disc_point(FilterParams params, int i, int n) { return params.pattern == pattern_poisson ? poisson_point(i) : vogel_point(i, n); }
+vec2 disc_point(FilterParams params, int i, int n) {
+  return params.pattern == pattern_poisson ? poisson_point(i) : vogel_point(i, n);
+}
 
-// Radius at the receiver, in texels, of what a blocker at that linear depth hides of the light. Similar triangles: emitter / distance
-// of the blocker = penumbra / gap; the rays to a sun of angular radius a spread by tan(a) for each metre.
+// Radius at the receiver, in texels, of what a blocker at that linear depth hides of the light. Similar triangles: emitter /
+// distance of the blocker = penumbra / gap; the rays to a sun of angular radius a spread by tan(a) for each metre.
 float penumbra_texels(MapSample at, FilterParams params, float blocker) {
   float gap_m = max(at.linear - blocker, 0.0) * at.depth_range_m;
   float spread = params.light_scale * at.emitter_radius;
@@ -52,7 +54,8 @@ float lit(uint map_image, MapSample at, FilterParams params) {
     float blocker = mean_blocker(map_image, at, params, turn);
     if (blocker > 1.5) return compare_bilinear(map_image, at, at.uv);
     radius = penumbra_texels(at, params, blocker);
-    // What a tap meets hides the light only if it stands high enough above the receiver for its distance: not the next paving stone.
+    // What a tap meets hides the light only if it stands high enough above the receiver for its distance: not the next paving
+    // stone.
     gap_depth = params.rise * max(at.linear - blocker, 0.0) * at.depth_range_m * depth_per_m(at);
   }
   radius = min(max(radius, params.min_radius), params.max_radius);

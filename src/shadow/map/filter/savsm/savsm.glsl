@@ -30,7 +30,8 @@ float lit(uint map_image, MapSample at, FilterParams params) {
   bounds(middle.y - half_width.y, middle.y + half_width.y, at.size, ys, down);
   uvec2 first_row[4];
   for (int i = 0; i < 4; ++i) first_row[i] = table_at(map_image, at.layer, ivec2(xs[i], ys[0]));
-  // Since the weights add up to 0, each sum may be taken from the first row and column on: those differences are small and exact.
+  // Since the weights add up to 0, each sum may be taken from the first row and column on: those differences are small and
+  // exact.
   vec2 sum = vec2(0.0);
   for (int j = 1; j < 4; ++j) {
     uvec2 first = table_at(map_image, at.layer, ivec2(xs[0], ys[j]));

@@ -1,5 +1,6 @@
-// The numbers of the table: integers, which are added exactly. Sums over the whole map overflow, and that is no harm: differences are
-// right modulo 2^32 as long as the sum over the square itself fits (Lauritzen 2007, section 8.5). So a narrow read leaves more bits.
+// The numbers of the table: integers, which are added exactly. Sums over the whole map overflow, and that is no harm:
+// differences are right modulo 2^32 as long as the sum over the square itself fits (Lauritzen 2007, section 8.5). So a narrow
+// read leaves more bits.
 #ifndef GNOMON_SAVSM_FIXED_GLSL
 #define GNOMON_SAVSM_FIXED_GLSL
 

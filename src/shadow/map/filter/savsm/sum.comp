@@ -1,5 +1,5 @@
-// Running sums along rows (of the encoded depth map), then along columns (of those). A thread adds up its part of a line, the group
-// scans the parts in shared memory, and the thread writes its part again with what came before.
+// Running sums along rows (of the encoded depth map), then along columns (of those). A thread adds up its part of a line, the
+// group scans the parts in shared memory, and the thread writes its part again with what came before.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/bindless.glsl"
@@ -23,7 +23,8 @@ uvec2 value_at(ivec3 texel, int bits) {
   if (k_columns) return imageLoad(storage_images_uint[table], texel).xy;
   ShadowView view = views.v[texel.z];
   float depth = texelFetch(images_2d_array[depth_image], texel, 0).x;
-  return savsm_fixed(linear_depth(view.linear_numerator, view.linear_denominator, (vec2(texel.xy) + 0.5) / float(size), depth), bits);
+  return savsm_fixed(linear_depth(view.linear_numerator, view.linear_denominator, (vec2(texel.xy) + 0.5) / float(size), depth),
+                     bits);
 }
 
 void main() {

@@ -1,4 +1,5 @@
-// Views from the distribution of the visible samples (Lauritzen, Salvi and Lefohn 2011, sections 4 and 5): one shader, four dispatches.
+// Views from the distribution of the visible samples (Lauritzen, Salvi and Lefohn 2011, sections 4 and 5): one shader, four
+// dispatches.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "frame/glsl/surface.glsl"
@@ -117,7 +118,8 @@ void reduce_boxes() {
     if (!load_surface(frame, uvec2(pixel % camera.size.x, pixel / camera.size.x), index % camera.samples, surface)) continue;
     // What turns away from the light never reads the map.
     if (!receives_light(fit.v.shape, surface.position_ws, surface.geometric_normal_ws)) continue;
-    vec3 p = vec3(dot(fit.v.light_x_ws, surface.position_ws), dot(fit.v.light_y_ws, surface.position_ws), dot(fit.v.light_z_ws, surface.position_ws));
+    vec3 p = vec3(dot(fit.v.light_x_ws, surface.position_ws), dot(fit.v.light_y_ws, surface.position_ws),
+                  dot(fit.v.light_z_ws, surface.position_ws));
     float z = frame.v.surface.view_z.v[index];
     // A point on a boundary belongs to both splits: the resolve computes its distance anew and may round to the other side.
     uint split = 0u;
@@ -190,7 +192,8 @@ void make_views() {
   if (data.tight != 0u) {
     uint first = layer * 5u;
     low = vec3(from_ordered(state.v.boxes[first]), from_ordered(state.v.boxes[first + 1u]), 0.0);
-    high = vec3(from_ordered(state.v.boxes[first + 2u]), from_ordered(state.v.boxes[first + 3u]), from_ordered(state.v.boxes[first + 4u]));
+    high = vec3(from_ordered(state.v.boxes[first + 2u]), from_ordered(state.v.boxes[first + 3u]),
+                from_ordered(state.v.boxes[first + 4u]));
   } else if (any_sample) {
     slice_box(interval.x, interval.y, low, high);
   }
