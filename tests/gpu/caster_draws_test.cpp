@@ -81,6 +81,47 @@ TEST(CasterDraws, EveryPathAndCullingDrawsTheSameBits) {
   }
 }
 
+// A caster before a view's near plane still shadows what lies in the view: its bounds are swept along the light. Behind the far
+// plane there is nothing to shadow, and beside the view neither.
+TEST(CasterDraws, CullingSweepsBoundsAlongTheLight) {
+  if (!device().info().pipeline_statistics) GTEST_SKIP() << "the device counts no triangles";
+  struct Case {
+    const char* name;
+    vec3 at;
+    bool drawn;
+  };
+  // The view: |x| and |z| below 2, y from 2 (near) down to -2 (far).
+  mat4 clip(0.0f);
+  clip[0][0] = 0.5f, clip[2][1] = 0.5f, clip[1][2] = -0.25f;
+  clip[3] = vec4(0, 0, 0.5f, 1);
+  for (const Case& c : {Case{"within", {0, 0, 0}, true}, Case{"just before the near plane", {0, 3, 0}, true},
+                        Case{"far before the near plane", {1, 500, -1}, true}, Case{"behind the far plane", {0, -4, 0}, false},
+                        Case{"beside", {4, 0, 0}, false}, Case{"before the near plane and beside", {0, 9, -4}, false}}) {
+    Scene scene = test::scene_with({test::box_part(c.at - vec3(0.5f), c.at + vec3(0.5f))});
+    scene.cameras.push_back(look_at("any", {0, 1, 5}, {0, 0, 0}, 60.0));
+    scene.lights.push_back(test::make_sun({0, -1, 0}));
+    test::View view(std::move(scene));
+    Buffer light(device(), "views", sizeof(LightView), BufferMemory::upload);
+    light.mapped_as<LightView>()[0] = {clip, k_view_projective, 0.0f, 1.0f, 1u};
+    light.flush();
+    ImageInfo info;
+    info.name = "map";
+    info.width = info.height = 16;
+    info.format = VK_FORMAT_D32_SFLOAT;
+    info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    const Image map(device(), info);
+    for (const CasterCulling culling : {CasterCulling::objects, CasterCulling::clusters}) {
+      CasterDraws draws(device(), view.gpu_scene(), "test", {.path = LayeringPath::per_layer, .layers = 1});
+      uint64_t triangles = 0;
+      const FrameResult frame = test::run_passes([&](Recorder& recorder) {
+        draws.record(recorder, "test", {&light, 0, sizeof(LightView), 1}, culling, false, map);
+      });
+      for (const PassResult& pass : frame.passes) triangles += pass.triangles;
+      EXPECT_EQ(triangles > 0, c.drawn) << c.name << ", culling " << static_cast<int>(culling);
+    }
+  }
+}
+
 TEST(CasterDraws, CullingLeavesTrianglesOut) {
   if (!device().info().pipeline_statistics) GTEST_SKIP() << "the device counts no triangles";
   test::View view(load_scene("courtyard"));

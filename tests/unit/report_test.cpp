@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -352,6 +353,96 @@ TEST_F(Report, CsvQuotesAndKeepsFullPrecision) {
   EXPECT_TRUE(lines[0].ends_with(",command,artefacts.acne,single.size,vsm.blur")) << lines[0];
   EXPECT_TRUE(lines[1].ends_with(",0.25,2048,")) << lines[1];
   EXPECT_TRUE(lines.back().ends_with(",,,3")) << lines.back();
+}
+
+// The row of a line whose every value differs from every other: a column that holds another one's value shows.
+TEST_F(Report, EveryCsvColumnHoldsTheValueOfItsName) {
+  struct Expected {
+    const char *title, *pointer;
+    json value;
+  };
+  const std::vector<Expected> columns = {
+      {"scene", "/scene/name", "a scene"},
+      {"scene_hash", "/scene/hash", "0123abcd"},
+      {"triangles", "/scene/triangles", 1001},
+      {"camera", "/camera/name", "a camera"},
+      {"width", "/size/0", 64},
+      {"height", "/size/1", 48},
+      {"samples", "/samples", 4},
+      {"device", "/device/name", "a device"},
+      {"driver", "/device/driver", "a driver"},
+      {"driver_version", "/device/driver_version", "9.8.7"},
+      {"gnomon_version", "/gnomon/version", "1.2.3"},
+      {"gnomon_commit", "/gnomon/commit", "fedc"},
+      {"technique", "/technique", "single/pcf"},
+      {"status", "/status", "ok"},
+      {"reason", "/reason", "a reason"},
+      {"hard_mae", "/visibility/hard/mae", 0.0101},
+      {"hard_rmse", "/visibility/hard/rmse", 0.0102},
+      {"hard_bias", "/visibility/hard/bias", -0.0103},
+      {"hard_false_shadow_area", "/visibility/hard/false_shadow/area", 0.0104},
+      {"hard_false_shadow_severity", "/visibility/hard/false_shadow/severity", 0.0105},
+      {"hard_false_light_area", "/visibility/hard/false_light/area", 0.0106},
+      {"hard_false_light_severity", "/visibility/hard/false_light/severity", 0.0107},
+      {"hard_receivers", "/visibility/hard/receivers", 1008},
+      {"area_mae", "/visibility/area/mae", 0.0201},
+      {"area_rmse", "/visibility/area/rmse", 0.0202},
+      {"area_bias", "/visibility/area/bias", -0.0203},
+      {"area_false_shadow_area", "/visibility/area/false_shadow/area", 0.0204},
+      {"area_false_shadow_severity", "/visibility/area/false_shadow/severity", 0.0205},
+      {"area_false_light_area", "/visibility/area/false_light/area", 0.0206},
+      {"area_false_light_severity", "/visibility/area/false_light/severity", 0.0207},
+      {"area_receivers", "/visibility/area/receivers", 1009},
+      {"image_rmse", "/image/rmse", 0.0301},
+      {"image_psnr", "/image/psnr", 30.25},
+      {"build_ms", "/gpu_ms/build", 1.5},
+      {"resolve_ms", "/gpu_ms/resolve", 2.5},
+      {"total_ms", "/gpu_ms/total", 4.25},
+      {"frame_ms", "/timing/frame_ms", 5.5},
+      {"sum_of_passes_ms", "/timing/sum_of_passes_ms", 6.5},
+      {"timing_mode", "/timing/mode", "measure"},
+      {"timing_clock", "/timing/clock", "a clock"},
+      {"memory_bytes", "/memory_bytes", 16777216},
+      {"hard_reference", "/reference/hard/kind", "embree"},
+      {"hard_reference_samples", "/reference/hard/samples", 1},
+      {"hard_reference_confidence", "/reference/hard/confidence", 0.0401},
+      {"area_reference", "/reference/area/kind", "pipeline"},
+      {"area_reference_samples", "/reference/area/samples", 256},
+      {"area_reference_confidence", "/reference/area/confidence", 0.0402},
+      {"command", "/command", "gnomon compare"},
+  };
+  json line = {{"size", {0, 0}}};
+  for (const Expected& column : columns) line[json::json_pointer(column.pointer)] = column.value;
+  line["artefacts"] = {{"acne", 0.0501}, {"light_leak", 0.0502}};
+  line["settings"] = {{"single", {{"size", 2048}}}, {"pcf", {{"taps", 17}}}};
+  write_lines({line});
+  write_csv(std::vector{folder_}, folder_ / "results.csv");
+
+  // No value holds a comma or a quote.
+  const auto cells_of = [](const std::string& row) {
+    std::vector<std::string> cells(1);
+    for (const char c : row) {
+      if (c == ',')
+        cells.emplace_back();
+      else
+        cells.back() += c;
+    }
+    return cells;
+  };
+  const auto rows = lines_of(read_text_file(folder_ / "results.csv"));
+  ASSERT_EQ(rows.size(), 2u);
+  const auto titles = cells_of(rows[0]), values = cells_of(rows[1]);
+  ASSERT_EQ(titles.size(), values.size());
+  std::map<std::string, std::string> row;
+  for (size_t i = 0; i < titles.size(); ++i) EXPECT_TRUE(row.emplace(titles[i], values[i]).second) << titles[i] << " twice";
+  for (const auto& [title, pointer, value] : columns) {
+    EXPECT_EQ(row[title], value.is_string() ? value.get<std::string>() : value.dump()) << title;
+  }
+  EXPECT_EQ(row["artefacts.acne"], "0.0501");
+  EXPECT_EQ(row["artefacts.light_leak"], "0.0502");
+  EXPECT_EQ(row["single.size"], "2048");
+  EXPECT_EQ(row["pcf.taps"], "17");
+  EXPECT_EQ(titles.size(), columns.size() + 4) << "a column that this test does not know: " << rows[0];
 }
 
 }  // namespace

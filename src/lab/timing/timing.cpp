@@ -24,42 +24,54 @@ void add_passes(Series& series, const FrameResult& frame, bool wall) {
     series.passes[i].push_back(wall ? frame.passes[i].wall_ms : frame.passes[i].gpu_ms);
 }
 
-FrameResult draw(Recorder& recorder, const std::function<void(Recorder&)>& record) {
-  check_interrupted();
-  recorder.begin();
-  record(recorder);
-  return recorder.finish();
-}
+class RecordedFrames : public TimedFrames {
+ public:
+  RecordedFrames(Device& device, TimingMode mode, std::function<void(Recorder&)> record)
+      : whole_(device, mode, false), apart_(device, mode, true), record_(std::move(record)) {}
+  FrameResult draw(bool apart) override {
+    Recorder& recorder = apart ? apart_ : whole_;
+    recorder.begin();
+    record_(recorder);
+    return recorder.finish();
+  }
+
+ private:
+  Recorder whole_, apart_;
+  std::function<void(Recorder&)> record_;
+};
+
+double steady_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace
 
 struct FrameTimer::State {
-  State(Device& device, const TimingOptions& timing_options, std::function<void(Recorder&)> record_frame)
-      : options(timing_options),
-        wall(device.info().software || device.info().timestamp_ms == 0.0),
-        whole(device, options.mode, false),
-        apart(device, options.mode, true),
-        record(std::move(record_frame)) {}
+  std::unique_ptr<TimedFrames> frames;
   TimingOptions options;
   bool wall;
-  Recorder whole, apart;
-  std::function<void(Recorder&)> record;
   Series series;
   FrameResult last;
+
+  FrameResult draw(bool apart) {
+    check_interrupted();
+    return frames->draw(apart);
+  }
 };
 
+FrameTimer::FrameTimer(std::unique_ptr<TimedFrames> frames, const TimingOptions& options, bool wall)
+    : state_(std::make_unique<State>(State{std::move(frames), options, wall, {}, {}})) {}
 FrameTimer::FrameTimer(Device& device, const TimingOptions& options, std::function<void(Recorder&)> record)
-    : state_(std::make_unique<State>(device, options, std::move(record))) {}
+    : FrameTimer(std::make_unique<RecordedFrames>(device, options.mode, std::move(record)), options,
+                 device.info().software || device.info().timestamp_ms == 0.0) {}
 FrameTimer::~FrameTimer() = default;
 
-void FrameTimer::warm_up() { draw(state_->whole, state_->record); }
+void FrameTimer::warm_up() { state_->draw(false); }
 
 void FrameTimer::frame() {
   State& s = *state_;
-  s.last = draw(s.whole, s.record);
+  s.last = s.draw(false);
   s.series.record.push_back(s.last.record_ms);
   const double frame_ms = s.wall ? s.last.wall_ms : s.last.gpu_ms;
-  if (s.wall) s.last = draw(s.apart, s.record);
+  if (s.wall) s.last = s.draw(true);
   s.series.frame.push_back(std::max(frame_ms - s.last.submission_ms, 0.0));
   add_passes(s.series, s.last, s.wall);
 }
@@ -84,11 +96,14 @@ Timing FrameTimer::timing() const {
 
 Timing time_frames(Device& device, const TimingOptions& options, const std::function<void(Recorder&)>& record) {
   FrameTimer timer(device, options, record);
+  return time_frames(timer, options, steady_seconds);
+}
+
+Timing time_frames(FrameTimer& timer, const TimingOptions& options, const std::function<double()>& now_s) {
   for (int i = 0; i < options.warm_up; ++i) timer.warm_up();
-  const auto start = std::chrono::steady_clock::now();
+  const double start = now_s();
   for (int frames = 0; frames < options.frames; ++frames) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (frames >= k_min_frames && elapsed.count() > options.max_seconds) break;
+    if (frames >= k_min_frames && now_s() - start > options.max_seconds) break;
     timer.frame();
   }
   return timer.timing();

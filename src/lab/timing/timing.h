@@ -40,12 +40,22 @@ struct Timing {
   double stage_ms(PassStage stage) const;
 };
 
+// What is timed: frames that say themselves what they took.
+class TimedFrames {
+ public:
+  virtual ~TimedFrames() = default;
+  // apart: each pass in a submission of its own.
+  virtual FrameResult draw(bool apart) = 0;
+};
+
 // Times the frame that `record` records. On a software device passes are submitted alone and timed by the wall clock, because
 // its timestamps lie; whole frames alternate with those, in one submission. One frame at a time, so that several timers can
 // take turns.
 class FrameTimer {
  public:
   FrameTimer(Device& device, const TimingOptions& options, std::function<void(Recorder&)> record);
+  // wall: by the wall clock, passes apart.
+  FrameTimer(std::unique_ptr<TimedFrames> frames, const TimingOptions& options, bool wall);
   ~FrameTimer();
   FrameTimer(const FrameTimer&) = delete;
   FrameTimer& operator=(const FrameTimer&) = delete;
@@ -61,6 +71,8 @@ class FrameTimer {
 
 // Warm-up and frames as the options say.
 Timing time_frames(Device& device, const TimingOptions& options, const std::function<void(Recorder&)>& record);
+// By a clock in seconds, against which max_seconds counts: from the end of the warm-up.
+Timing time_frames(FrameTimer& timer, const TimingOptions& options, const std::function<double()>& now_s);
 
 nlohmann::json passes_to_json(const Timing& timing);
 nlohmann::json timing_to_json(const Timing& timing);
