@@ -36,5 +36,18 @@ TEST(Statistics, P95IsTheNearestRank) {
   EXPECT_EQ(of({1, 2}).p95, 2.0);
 }
 
+// Where mean, median, largest and standard deviation are far apart, in any order.
+TEST(Statistics, OneSlowFrameMovesNeitherMedianNorMad) {
+  for (const auto& samples : {std::vector<double>{100, 1, 2, 3, 5}, std::vector<double>{1, 2, 3, 5, 100}}) {
+    const Summary summary = of(samples);  // mean 22.2, deviations 2 1 0 2 97 from the median
+    EXPECT_EQ(summary.median, 3.0);
+    EXPECT_EQ(summary.mad, 2.0);
+    EXPECT_EQ(summary.p95, 100.0);
+  }
+  const Summary even = of({8, 1, 40, 2});  // mean 12.75, deviations 4 3 3 35 from 5
+  EXPECT_EQ(even.median, 5.0);
+  EXPECT_EQ(even.mad, 3.5);
+}
+
 }  // namespace
 }  // namespace gnomon
