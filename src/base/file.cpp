@@ -70,6 +70,15 @@ void write_file(const std::filesystem::path& path, std::span<const std::byte> by
 
 void write_file(const std::filesystem::path& path, std::string_view text) { write_file(path, std::as_bytes(std::span(text))); }
 
+void check_can_write(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) fail("{}: cannot be written: it is a folder", path.string());
+  const auto temporary = std::filesystem::path(path.string() + "." + std::to_string(getpid()) + ".part");
+  const File file(std::fopen(temporary.c_str(), "wb"));
+  if (!file) fail("{}: cannot be written: {}", path.string(), std::strerror(errno));
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+}
+
 void make_folder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);

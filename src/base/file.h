@@ -19,6 +19,9 @@ std::string read_text_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+// Throws what write_file would throw, before the work whose result it is; leaves nothing behind.
+void check_can_write(const std::filesystem::path& path);
+
 // Creates the folder and its parents. Throws Error where something else stands in the way.
 void make_folder(const std::filesystem::path& path);
 

@@ -75,8 +75,8 @@ void GpuScene::upload_materials() {
       data.base_wrap_u = static_cast<uint32_t>(texture.wrap_u);
       data.base_wrap_v = static_cast<uint32_t>(texture.wrap_v);
     }
-    data.masked = material.masked;
-    data.alpha_cutoff = material.alpha_cutoff;
+    data.seen_cutoff = material.seen_cutoff();
+    data.caster_cutoff = material.caster_cutoff();
     data.normal_scale = material.normal_scale;
     data.shininess = material.shininess;
     data.specular = material.specular;
@@ -131,11 +131,12 @@ void GpuScene::upload_geometry() {
       item.index_count = static_cast<uint32_t>(part.indices.size());
       item.material = static_cast<uint32_t>(part.material);
       item.object = static_cast<uint32_t>(o);
-      item.flags = (object.casts ? k_item_casts : 0u) | (mirrored ? k_item_mirrored : 0u);
-      const uint32_t bucket = (material.masked ? Bucket::k_masked : 0) | (material.double_sided ? Bucket::k_double_sided : 0) |
-                              (mirrored ? Bucket::k_mirrored : 0);
+      const bool casts = part_casts(object, material);
+      item.flags = (casts ? k_item_casts : 0u) | (mirrored ? k_item_mirrored : 0u);
+      const uint32_t bucket = (material.caster_cutoff() >= 0.0f ? Bucket::k_masked : 0) |
+                              (material.double_sided ? Bucket::k_double_sided : 0) | (mirrored ? Bucket::k_mirrored : 0);
       by_bucket[bucket].push_back(item);
-      if (object.casts) caster_triangles_ += part.triangle_count(), caster_bounds_.add(box);
+      if (casts) caster_triangles_ += part.triangle_count(), caster_bounds_.add(box);
     }
   }
   for (uint32_t b = 0; b < k_bucket_count; ++b) {

@@ -12,7 +12,7 @@
 
 namespace gnomon {
 
-// Items of one bucket are drawn with the same pipeline and state.
+// Items of one bucket are drawn with the same pipeline and state. Masked: as casters.
 struct Bucket {
   static constexpr uint32_t k_masked = 1, k_double_sided = 2, k_mirrored = 4;
   uint32_t begin = 0, end = 0;  // items

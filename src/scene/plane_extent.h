@@ -25,16 +25,19 @@ inline float plane_extent(const MeshPart& part) {
 
 // Of all casters, in metres.
 inline float plane_extent(const Scene& scene) {
-  std::vector<float> of_mesh(scene.meshes.size(), 0.0f);
+  std::vector<std::vector<float>> of_part(scene.meshes.size());
   for (size_t i = 0; i < scene.meshes.size(); ++i) {
-    for (const MeshPart& part : scene.meshes[i].parts) of_mesh[i] = std::max(of_mesh[i], plane_extent(part));
+    for (const MeshPart& part : scene.meshes[i].parts) of_part[i].push_back(plane_extent(part));
   }
   float largest = 0.0f;
   for (const Object& object : scene.objects) {
-    if (!object.casts) continue;
     const mat3 m(object.world_from_object);
     const float scale = std::max(glm::length(m[0]), std::max(glm::length(m[1]), glm::length(m[2])));
-    largest = std::max(largest, scale * of_mesh[static_cast<size_t>(object.mesh)]);
+    const auto mesh = static_cast<size_t>(object.mesh);
+    for (size_t i = 0; i < of_part[mesh].size(); ++i) {
+      const auto material = static_cast<size_t>(scene.meshes[mesh].parts[i].material);
+      if (part_casts(object, scene.materials[material])) largest = std::max(largest, scale * of_part[mesh][i]);
+    }
   }
   return largest;
 }

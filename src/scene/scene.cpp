@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/file.h"
 
@@ -72,7 +73,7 @@ class SceneHash {
   void add(const UvTransform& transform) { values(transform.row_u, transform.row_v); }
   void add(const Material& m) {
     values(m.base_colour, m.base_colour_texture, m.normal_texture, m.normal_scale, m.masked, m.alpha_cutoff, m.double_sided);
-    values(m.specular, m.shininess, m.emissive);
+    values(m.specular, m.shininess, m.emissive, m.casts, m.half_casts, m.named_cast.rule, m.named_cast.on);
     add(m.base_colour_uv);
     add(m.normal_uv);
   }
@@ -86,7 +87,9 @@ class SceneHash {
     values(part.material);
   }
   void add(const Mesh& mesh) { all(mesh.parts); }
-  void add(const Object& object) { values(object.mesh, object.world_from_object, object.casts); }
+  void add(const Object& object) {
+    values(object.mesh, object.world_from_object, object.casts, object.named_cast.rule, object.named_cast.on);
+  }
   void add(const Light& light) {
     values(light.kind, light.position, light.direction, light.colour, light.intensity, light.angular_diameter);
     values(light.radius, light.range, light.inner_cone, light.outer_cone, light.beam_radius);
@@ -118,37 +121,77 @@ std::string Scene::content_hash() const {
   return hash.hex();
 }
 
+namespace {
+
+// The corners of the boxes around the placed meshes, relative to `origin`.
+std::vector<vec3> corners_of_objects(const Scene& scene, const vec3& origin) {
+  std::vector<Box> of_mesh;
+  for (const Mesh& mesh : scene.meshes) of_mesh.push_back(mesh.bounds());
+  std::vector<vec3> corners;
+  for (const Object& object : scene.objects) {
+    const Box& box = of_mesh.at(static_cast<size_t>(object.mesh));
+    for (int i = 0; i < 8 && !box.empty(); ++i)
+      corners.push_back(vec3(object.world_from_object * vec4(box.corner(i), 1.0f)) - origin);
+  }
+  return corners;
+}
+
+// A camera that looks along -back, and as near as it may be for all points to be in the picture.
+struct Fit {
+  vec3 right, up, back;
+  vec2 centre = vec2(0.0f);  // of the picture, along right and up
+  float distance = 0.0f, nearest = 0.0f, farthest = 0.0f;
+
+  Fit(const std::vector<vec3>& points, float azimuth, float elevation, const vec2& tangents)
+      : back(std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)) {
+    right = glm::normalize(glm::cross(vec3(0, 1, 0), back));
+    up = glm::cross(back, right);
+    // Where the planes of the picture's edges touch, as they cross the plane through the origin.
+    constexpr float k_none = std::numeric_limits<float>::lowest();
+    vec2 low(k_none), high(k_none);
+    for (const vec3& point : points) {
+      const vec2 place(glm::dot(point, right), glm::dot(point, up));
+      const float z = glm::dot(point, back);
+      high = glm::max(high, place + z * tangents), low = glm::max(low, z * tangents - place);
+      nearest = std::max(nearest, z), farthest = std::max(farthest, -z);
+    }
+    if (points.empty()) return;
+    centre = 0.5f * (high - low);
+    const vec2 distances = 0.5f * (high + low) / tangents;
+    distance = std::max(distances.x, distances.y);
+  }
+};
+
+}  // namespace
+
 Camera framing_camera(const Scene& scene, float aspect) {
   // The sun of a scene without lights (lab/view/light.params) stands at its left: shadows are in sight.
   constexpr float k_elevation = k_pi / 6.0f, k_azimuth = k_pi / 5.0f, k_margin = 1.05f;
+  // What is long lies across the picture where that shows it much larger.
+  constexpr float k_across[] = {k_pi / 18.0f, 8.0f * k_pi / 18.0f}, k_larger = 1.5f;
   Camera camera;
   camera.name = "framing";
   camera.vertical_fov = k_pi / 4.0f;
   Box box = scene.bounds();
   if (box.empty()) box.add(vec3(0.0f));
   // A scene of one point has no size; any view of it will do.
-  const float radius = std::max({box.radius(), 1e-3f * glm::length(box.centre()), 1e-3f});
+  float radius = std::max(box.radius(), 1e-3f * glm::length(box.centre()));
+  if (radius == 0.0f) radius = 1.0f;
 
-  // Towards the viewer: from above, front and right.
-  const vec3 back(std::cos(k_elevation) * std::sin(k_azimuth), std::sin(k_elevation),
-                  std::cos(k_elevation) * std::cos(k_azimuth));
-  const vec3 right = glm::normalize(glm::cross(vec3(0, 1, 0), back));
-  const vec3 up = glm::cross(back, right);
-  const float tan_y = std::tan(0.5f * camera.vertical_fov), tan_x = tan_y * std::max(aspect, 1e-3f);
-
-  // The smallest distance at which all corners are inside the four side planes.
-  float distance = 0.0f, nearest = -radius, farthest = radius;
-  for (int i = 0; i < 8; ++i) {
-    const vec3 corner = box.corner(i) - box.centre();
-    const float x = std::abs(glm::dot(corner, right)), y = std::abs(glm::dot(corner, up)), z = glm::dot(corner, back);
-    distance = std::max({distance, z + x / tan_x, z + y / tan_y});
-    nearest = std::max(nearest, z), farthest = std::max(farthest, -z);
+  const float tan_y = std::tan(0.5f * camera.vertical_fov) / k_margin;
+  const vec2 tangents(tan_y * std::max(aspect, 1e-3f), tan_y);
+  const std::vector<vec3> points = corners_of_objects(scene, box.centre());
+  Fit fit(points, k_azimuth, k_elevation, tangents);
+  for (const float azimuth : k_across) {
+    const Fit other(points, azimuth, k_elevation, tangents);
+    if (other.distance * k_larger < fit.distance) fit = other;
   }
-  distance = std::max(distance * k_margin, radius);
-  const vec3 position = box.centre() + distance * back;
-  camera.world_from_view = mat4(vec4(right, 0), vec4(up, 0), vec4(back, 0), vec4(position, 1));
-  camera.near = std::max(0.5f * (distance - nearest), 1e-3f * distance);
-  camera.far = 1.5f * (distance + farthest);
+  // A sheet seen edge-on still needs room between it and the eye.
+  const float distance = std::max({fit.distance, fit.nearest + 0.1f * radius, 1e-3f * radius});
+  const vec3 position = box.centre() + fit.centre.x * fit.right + fit.centre.y * fit.up + distance * fit.back;
+  camera.world_from_view = mat4(vec4(fit.right, 0), vec4(fit.up, 0), vec4(fit.back, 0), vec4(position, 1));
+  camera.near = std::max(0.5f * (distance - fit.nearest), 1e-3f * distance);
+  camera.far = 1.5f * (distance + fit.farthest);
   return camera;
 }
 

@@ -32,6 +32,12 @@ struct UvTransform {
 
 inline constexpr int k_no_texture = -1;
 
+// What is said of the shadow of a name (scene/casting.h): the number of the last rule that fits it, and its answer.
+struct NamedCast {
+  int rule = -1;  // none
+  bool on = true;
+};
+
 // Alpha-tested (masked) materials: a point exists where base alpha * texture alpha >= alpha_cutoff.
 struct Material {
   std::string name;
@@ -42,10 +48,18 @@ struct Material {
   UvTransform base_colour_uv, normal_uv;
   bool masked = false;
   float alpha_cutoff = 0.5f;
+  bool blended = false;  // lets light through (scene/blended.h); the camera sees it as solid as if it did not
+  bool casts = true;
+  bool half_casts = false;  // a shadow only where base alpha * texture alpha >= 0.5, whatever the camera sees
+  NamedCast named_cast;
   bool double_sided = false;
   vec3 specular = vec3(0.0f);  // Blinn-Phong colour and exponent
   float shininess = 32.0f;
   vec3 emissive = vec3(0.0f);
+
+  // Least alpha that the camera sees, and that casts; below 0: whatever the alpha.
+  float seen_cutoff() const { return masked ? alpha_cutoff : -1.0f; }
+  float caster_cutoff() const { return half_casts ? 0.5f : seen_cutoff(); }
 };
 
 // Triangles of one material. Every vector has one entry per vertex, except `indices` (three per triangle); loaders fill all
@@ -74,7 +88,18 @@ struct Object {
   int mesh = 0;
   mat4 world_from_object = mat4(1.0f);
   bool casts = true;
+  NamedCast named_cast;
 };
+
+inline bool material_casts(const Material& material) {
+  return material.named_cast.rule < 0 ? material.casts : material.named_cast.on;
+}
+
+// Whether the parts of an object that have that material cast shadows. What the user named outranks what the scene says.
+inline bool part_casts(const Object& object, const Material& material) {
+  const NamedCast& last = object.named_cast.rule > material.named_cast.rule ? object.named_cast : material.named_cast;
+  return last.rule < 0 ? object.casts && material.casts : last.on;
+}
 
 // In the order of base/glsl/light_sampling.glsl. A projector is a parallel beam inside a cylinder, dark outside.
 enum class LightKind : uint32_t { directional, point, spot, projector };

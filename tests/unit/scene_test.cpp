@@ -130,15 +130,16 @@ TEST(Scene, FramingCameraShowsEveryCorner) {
         object.world_from_object = glm::scale(mat4(1.0f), vec3(size)) * object.world_from_object;
       const Camera camera = framing_camera(scene, aspect);
       const mat4 view_from_world = glm::inverse(camera.world_from_view);
-      const Box box = scene.bounds();
       float widest = 0.0f;
-      for (int i = 0; i < 8; ++i) {
-        const vec3 p = vec3(view_from_world * vec4(box.corner(i), 1.0f));
-        EXPECT_GT(-p.z, camera.near);
-        EXPECT_LT(-p.z, camera.far);
-        const float y = std::abs(p.y / p.z) / std::tan(camera.vertical_fov / 2),
-                    x = std::abs(p.x / p.z) / std::tan(camera.vertical_fov / 2) / aspect;
-        widest = std::max({widest, x, y});
+      for (const Object& object : scene.objects) {
+        for (const vec3& position : scene.meshes[static_cast<size_t>(object.mesh)].parts[0].positions) {
+          const vec3 p = vec3(view_from_world * object.world_from_object * vec4(position, 1.0f));
+          EXPECT_GT(-p.z, camera.near);
+          EXPECT_LT(-p.z, camera.far);
+          const float y = std::abs(p.y / p.z) / std::tan(camera.vertical_fov / 2),
+                      x = std::abs(p.x / p.z) / std::tan(camera.vertical_fov / 2) / aspect;
+          widest = std::max({widest, x, y});
+        }
       }
       EXPECT_LE(widest, 1.0f);
       EXPECT_GE(widest, 0.85f) << "the scene should fill the view";
@@ -149,6 +150,40 @@ TEST(Scene, FramingCameraShowsEveryCorner) {
       EXPECT_NO_THROW(check_scene(scene));
     }
   }
+}
+
+// The share of the picture between the outermost vertices, across and up; 1: from edge to edge.
+vec2 framed_share(const vec3& size, const vec3& place) {
+  Scene scene;
+  scene.materials.emplace_back();
+  MeshPart part;
+  for (int i = 0; i < 8; ++i) part.positions.push_back(place + Box{-0.5f * size, 0.5f * size}.corner(i));
+  scene.meshes.resize(1);
+  scene.meshes[0].parts.push_back(part);
+  scene.objects.emplace_back();
+  const Camera camera = framing_camera(scene, 4.0f / 3.0f);
+  const mat4 view_from_world = glm::inverse(camera.world_from_view);
+  vec2 low(2.0f), high(-2.0f);
+  for (const vec3& position : part.positions) {
+    const vec3 p(view_from_world * vec4(position, 1.0f));
+    EXPECT_GT(-p.z, camera.near);
+    const vec2 seen = vec2(p) / -p.z / std::tan(camera.vertical_fov / 2) / vec2(4.0f / 3.0f, 1.0f);
+    low = glm::min(low, seen), high = glm::max(high, seen);
+  }
+  EXPECT_TRUE(glm::all(glm::greaterThan(low, vec2(-1.0f))) && glm::all(glm::lessThan(high, vec2(1.0f))));
+  return 0.5f * (high - low);
+}
+
+TEST(Scene, FramingCameraFillsThePicture) {
+  const vec3 town(1000, 10, 700), strip(1000, 10, 20), deep_strip(20, 10, 1000), tower(10, 100, 10), cube(1),
+      sheet(4000, 0, 3000);
+  for (const vec3& size : {town, strip, deep_strip, tower, cube, sheet, 1e-6f * town, 1e-6f * cube, 1e6f * town}) {
+    const vec2 share = framed_share(size, {0, 0, 0});
+    EXPECT_GT(std::max(share.x, share.y), 0.93f) << size.x << " " << size.y << " " << size.z;
+    EXPECT_GT(std::min(share.x, share.y), 0.1f) << size.x << " " << size.y << " " << size.z;
+  }
+  EXPECT_GT(framed_share(town, {0, 0, 0}).y, 0.4f) << "a flat town";
+  EXPECT_GT(framed_share(cube, {500, 3, -200}).y, 0.9f) << "and far away";
 }
 
 TEST(Scene, FramingCameraOfNothingIsValid) {

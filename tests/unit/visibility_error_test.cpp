@@ -43,6 +43,33 @@ TEST(VisibilityError, HandComputed) {
   EXPECT_EQ(json.at("receivers"), 4);
 }
 
+TEST(VisibilityError, PartialDifferencesCountAsMuchAsTheyAre) {
+  // Differences: -0.25, -0.75, +0.125, +0.5, +0.25, 0, and +1 of what is no receiver. No score equals another one.
+  const Floats mask = {0.5f, 0.125f, 0.625f, 0.75f, 0.25f, 0.375f, 1}, reference = {0.75f, 0.875f, 0.5f, 0.25f, 0, 0.375f, 0};
+  const VisibilityError error = visibility_error(mask, reference, Bytes{1, 1, 1, 1, 1, 1, 0});
+  EXPECT_EQ(error.receivers, 6u);
+  EXPECT_DOUBLE_EQ(error.mae, 1.875 / 6);
+  EXPECT_DOUBLE_EQ(error.rmse, std::sqrt((0.0625 + 0.5625 + 0.015625 + 0.25 + 0.0625) / 6));
+  EXPECT_DOUBLE_EQ(error.bias, -0.125 / 6);
+  EXPECT_DOUBLE_EQ(error.false_shadow.area, 2.0 / 6);
+  EXPECT_DOUBLE_EQ(error.false_shadow.severity, 0.5) << "a mean, neither of squares nor the largest";
+  EXPECT_DOUBLE_EQ(error.false_light.area, 3.0 / 6);
+  EXPECT_DOUBLE_EQ(error.false_light.severity, 0.875 / 3);
+  EXPECT_EQ(error.to_json(), (nlohmann::json{{"mae", error.mae},
+                                             {"rmse", error.rmse},
+                                             {"bias", error.bias},
+                                             {"false_shadow", {{"area", 2.0 / 6}, {"severity", 0.5}}},
+                                             {"false_light", {{"area", 0.5}, {"severity", 0.875 / 3}}},
+                                             {"receivers", 6}}));
+}
+
+// Three tenths and seven tenths by either sign: their mean is a half, that of their squares 0.29.
+TEST(VisibilityError, SeverityIsTheMeanOfBothSigns) {
+  const Floats low = {0.2f, 0.1f}, high = {0.5f, 0.8f};
+  EXPECT_NEAR(visibility_error(low, high, Bytes{1, 1}).false_shadow.severity, 0.5, 1e-7);
+  EXPECT_NEAR(visibility_error(high, low, Bytes{1, 1}).false_light.severity, 0.5, 1e-7);
+}
+
 TEST(VisibilityError, EqualMasksHaveNone) {
   const Floats mask = {0, 0.3f, 1};
   const VisibilityError error = visibility_error(mask, mask, Bytes{1, 1, 1});
@@ -123,6 +150,16 @@ TEST(VisibilityError, MaskPictureTintsWhatReceivesNothing) {
   EXPECT_NE(picture.at(1, 1)[0], picture.at(1, 1)[2]);
   const Image8 averaged = mask_picture(Floats{0, 1}, Bytes{1, 1}, 1, 1, 2);
   EXPECT_EQ(averaged.at(0, 0)[1], 128);
+}
+
+TEST(ImageError, AllThreeColoursCountAlike) {
+  for (int channel = 0; channel < 3; ++channel) {
+    Image8 a(1, 2), b(1, 2);
+    a.at(0, 0)[channel] = 100, b.at(0, 0)[channel] = 49;  // 0.2 too bright
+    b.at(0, 1)[channel] = 102;                            // 0.4 too dark
+    EXPECT_DOUBLE_EQ(image_error(a, b).rmse, std::sqrt((0.04 + 0.16) / 6.0)) << channel;
+    EXPECT_DOUBLE_EQ(image_error(a, b).psnr, -10.0 * std::log10(0.2 / 6.0)) << channel;
+  }
 }
 
 TEST(ImageError, HandComputed) {

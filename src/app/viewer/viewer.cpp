@@ -185,6 +185,7 @@ void Viewer::show_interface(ViewState& next) {
   if (wishes_.interface) {
     if (begin_main_panel()) {
       if (const auto scene = scene_panel_.show(state_.view.scene, workspace_.recent)) open(*scene);
+      scene_panel_.show_casting(next, session_->scene());
     }
     ImGui::End();
     panels_.show(next, wishes_, *session_, techniques_);
@@ -381,6 +382,7 @@ void Viewer::apply(const ViewState& wanted, const Settings& settings) {
   settle_samples(next.view, device_.info());
   const auto change = [this](const ViewState& state, const Settings& of_state) {
     if (session_->needs_new_frame(state.view, of_state)) techniques_.clear(), small_.clear(), sides_.forget();
+    if (state.view.casts != session_->options().casts) explain_.forget_rays(), rays_.forget();
     session_->change(state.view, of_state);
   };
   const bool done = attempt(message_, [&] {

@@ -1,4 +1,4 @@
-// Whether an alpha-tested surface exists at a uv, for rays: texel fetches around base/glsl/alpha.glsl.
+// Whether an alpha-tested caster exists at a uv, for rays: texel fetches around base/glsl/alpha.glsl.
 #ifndef GNOMON_ALPHA_TEST_GLSL
 #define GNOMON_ALPHA_TEST_GLSL
 #include "frame/glsl/bindless.glsl"
@@ -6,7 +6,7 @@
 #include "base/glsl/alpha.glsl"
 
 bool alpha_exists(MaterialData material, vec2 uv) {
-  if (material.masked == 0u) return true;
+  if (material.caster_cutoff < 0.0) return true;
   float alpha = material.base_colour.a;
   if (material.base_texture != k_no_texture_index) {
     uint image = material.base_texture;
@@ -20,7 +20,7 @@ bool alpha_exists(MaterialData material, vec2 uv) {
                             texelFetch(material_textures[nonuniformEXT(image)], ivec2(x0, y1), 0).a,
                             texelFetch(material_textures[nonuniformEXT(image)], ivec2(x1, y1), 0).a, texel_weight(position));
   }
-  return alpha >= material.alpha_cutoff;
+  return alpha >= material.caster_cutoff;
 }
 
 #endif

@@ -44,8 +44,7 @@ struct MaterialData {
   uint base_texture, normal_texture;                    // bindless indices, or k_no_texture_index
   uint base_sampler, normal_sampler;
   uint base_wrap_u, base_wrap_v;
-  uint masked;
-  float alpha_cutoff;
+  float seen_cutoff, caster_cutoff;  // least alpha that the camera sees, and that casts; below 0: whatever the alpha
   float normal_scale;
   float shininess;
   vec3 specular;

@@ -60,7 +60,7 @@ AccelerationStructure::AccelerationStructure(Device& device, const GpuScene& sce
     if (address == 0) {
       VkAccelerationStructureGeometryKHR geometry = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR};
       geometry.geometryType = VK_GEOMETRY_TYPE_TRIANGLES_KHR;
-      const bool masked = scene.scene().materials[item.material].masked;
+      const bool masked = scene.scene().materials[item.material].caster_cutoff() >= 0.0f;
       geometry.flags = masked ? VK_GEOMETRY_NO_DUPLICATE_ANY_HIT_INVOCATION_BIT_KHR : VK_GEOMETRY_OPAQUE_BIT_KHR;
       auto& triangles = geometry.geometry.triangles;
       triangles.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_TRIANGLES_DATA_KHR;

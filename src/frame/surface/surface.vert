@@ -30,7 +30,7 @@ void main() {
   float handedness = left_handed ? -1.0 : 1.0;
   tangent_ws = vec4(direction_to_world(item, unpack_normal(attributes.tangent)), handedness);
   tint = material.base_colour.rgb * unpackUnorm4x8(attributes.colour).rgb;
-  scalars = vec3(material.base_colour.a, material.masked != 0u ? material.alpha_cutoff : -1.0, material.normal_scale);
+  scalars = vec3(material.base_colour.a, material.seen_cutoff, material.normal_scale);
   ids = uvec4(gl_InstanceIndex, mirrored ? 1u : 0u, texture_lookup(material.base_texture, material.base_sampler),
               frame.v.normal_maps != 0u ? texture_lookup(material.normal_texture, material.normal_sampler)
                                         : k_no_texture_index);

@@ -262,13 +262,13 @@ void check_bench(const BenchOptions& options) { prepare_runs(options); }
 
 std::unique_ptr<ResultFolder> bench(Device& device, const BenchOptions& options) {
   const std::vector<BenchRun> runs = prepare_runs(options);
-  ensure_layering_measured(device);
   auto earlier = options.resume ? earlier_lines(options.output) : std::map<std::string, json>();
   if (!options.resume) {
     if (const auto run = unfinished_run(options.output))
       log_warning("{}: the unfinished run is dropped; --resume would continue it", run->folder.string());
   }
   auto folder = std::make_unique<ResultFolder>(options.output, options.resume);
+  ensure_layering_measured(device);
   const InterruptScope scope;
   try {
     measure_all(device, options, runs, earlier, *folder);

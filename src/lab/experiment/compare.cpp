@@ -240,8 +240,6 @@ std::vector<const TechniqueSpec*> techniques_named(const std::vector<std::string
 std::unique_ptr<ResultFolder> compare(Device& device, const CompareOptions& options, const Settings& settings) {
   const auto specs = techniques_named(options.techniques);
   settings.check_used(specs);
-  ensure_layering_measured(device);
-  Session session(device, options.view, settings);
   if (!options.resume) {
     if (const auto run = unfinished_run(options.output))
       log_warning("{}: the unfinished run is dropped; --resume would continue it", run->folder.string());
@@ -249,6 +247,8 @@ std::unique_ptr<ResultFolder> compare(Device& device, const CompareOptions& opti
   auto folder = std::make_unique<ResultFolder>(options.output, options.resume);
   if (options.resume && folder->kept_count() == 0)
     log_info("{}: holds no unfinished run: everything is measured anew", options.output.string());
+  ensure_layering_measured(device);
+  Session session(device, options.view, settings);
   const size_t planned = specs.size() * session.chosen_lights().size();
   const InterruptScope scope;
   try {

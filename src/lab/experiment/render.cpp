@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/log.h"
 #include "lab/experiment/reference_set.h"
 #include "measure/visibility_error.h"
@@ -119,6 +120,7 @@ void render(Device& device, const RenderOptions& options, const Settings& settin
   if (options.picture == Picture::error && extension == ".exr") fail_usage("--show error: valid: a path that ends in .png");
   const bool moves = !options.path.empty() || !options.sun_path.empty() || options.seconds != 0.0;
   if (options.frames == 0 && moves) fail_usage("--path, --sun-path and --seconds are for sequences; valid: with --frames N");
+  check_can_write(options.output);
   Session session(device, options.view, settings);
   if (options.picture != Picture::shaded && session.chosen_lights().size() > 1) {
     fail_usage("--show mask, error and reference show one light; {} are chosen with --light", session.chosen_lights().size());

@@ -42,7 +42,8 @@ nlohmann::json describe_session(Session& session) {
                    {"source", scene.source},
                    {"hash", scene.content_hash()},
                    {"triangles", scene.triangle_count()},
-                   {"objects", scene.objects.size()}};
+                   {"objects", scene.objects.size()},
+                   {"casts", session.options().casts}};
   line["camera"] = {{"name", session.camera().name},
                     {"eye", to_json(camera.eye_ws)},
                     {"forward", to_json(camera.forward_ws)},

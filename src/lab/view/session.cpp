@@ -7,6 +7,8 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "lab/view/lab_params.h"
+#include "scene/casting.h"
+#include "scene/drawable.h"
 #include "scene/load.h"
 
 namespace gnomon {
@@ -65,6 +67,8 @@ Session::Session(Device& device, const ViewOptions& options, Settings settings)
 Session::Session(Device& device, const ViewOptions& options, Settings settings, Scene scene)
     : device_(device), options_(options), settings_(std::move(settings)), scene_(std::move(scene)) {
   settle_samples(options_, device_.info());
+  check_drawable(scene_);
+  apply_casting(scene_, options_.casts);
   warn_of_coarse_coordinates(scene_);
   settings_.complete_scene_options(options_.scene);
   camera_ = choose_camera(scene_, options_, settings_);
@@ -107,6 +111,7 @@ void Session::change(const ViewOptions& options, Settings settings) {
   check_lights_named(lights, settings);
   record_light(lights.front(), settings);
   const bool another_frame = other_frame(options, lights);
+  if (options.casts != options_.casts) change_casting(options.casts);
   options_.camera = options.camera, options_.lights = options.lights, options_.samples = options.samples;
   settings_ = std::move(settings);
   if (another_frame) {
@@ -121,9 +126,16 @@ void Session::change(const ViewOptions& options, Settings settings) {
   set_camera(camera);  // writes all of the frame's data
 }
 
+void Session::change_casting(const std::vector<std::string>& casts) {
+  apply_casting(scene_, casts);
+  context_.reset(), frame_.reset();  // both know the old casters
+  gpu_scene_ = std::make_unique<GpuScene>(device_, scene_);
+  options_.casts = casts;
+}
+
 bool Session::other_frame(const ViewOptions& options, std::span<const Light> lights) const {
   const auto same_kind = [](const Light& a, const Light& b) { return a.kind == b.kind; };
-  return options.samples != options_.samples ||
+  return options.samples != options_.samples || options.casts != options_.casts ||
          !std::equal(lights.begin(), lights.end(), lights_.begin(), lights_.end(), same_kind);
 }
 

@@ -68,8 +68,8 @@ class Session {
   // The same scene as `options` and `settings` show it: camera, lights, samples, frame settings. Throws Error (usage), and is
   // then unchanged.
   void change(const ViewOptions& options, Settings settings);
-  // Whether `change` to these makes another frame, since it has other samples, more or fewer lights, or other kinds of them.
-  // Techniques of the old frame must then be gone.
+  // Whether `change` to these makes another frame, since it has other samples, other casters, more or fewer lights, or other
+  // kinds of them. Techniques of the old frame must then be gone.
   bool needs_new_frame(const ViewOptions& options, const Settings& settings) const;
   // A frame of another size (Frame::resize); techniques stay valid.
   void resize(uvec2 size);
@@ -96,6 +96,7 @@ class Session {
 
  private:
   bool other_frame(const ViewOptions& options, std::span<const Light> lights) const;
+  void change_casting(const std::vector<std::string>& casts);
   void make_frame(std::span<const Light> lights);
 
   Device& device_;

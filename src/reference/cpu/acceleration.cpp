@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/error.h"
 #include "base/glsl/alpha.glsl"
@@ -31,32 +32,40 @@ Acceleration::Acceleration(const Scene& scene) : scene_(scene), device_(rtcNewDe
   top_.reset(rtcNewScene(device_.get()));
   rtcSetSceneFlags(top_.get(), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(top_.get(), RTC_BUILD_QUALITY_HIGH);
-  std::vector<embree::Scene> shared(scene.meshes.size());  // the instances keep them alive
+  std::map<std::pair<int, CastingParts>, embree::Scene> shared;  // the instances keep them alive
   for (const Object& object : scene.objects) {
     const Mesh& mesh = scene.meshes[static_cast<size_t>(object.mesh)];
-    size_t triangles = 0;
-    for (const MeshPart& part : mesh.parts) triangles += part.triangle_count();
-    if (!object.casts || triangles == 0) continue;
-    triangle_count_ += triangles;
+    const CastingParts parts = casting_parts(object, mesh);
+    if (parts.empty()) continue;
+    for (const size_t part : parts) triangle_count_ += mesh.parts[part].triangle_count();
     if (invertible(object.world_from_object)) {
-      embree::Scene& once = shared[static_cast<size_t>(object.mesh)];
-      if (!once) once = build_mesh(mesh, mat4(1.0f));
+      embree::Scene& once = shared[{object.mesh, parts}];
+      if (!once) once = build_mesh(mesh, parts, mat4(1.0f));
       add_instance(once.get(), object.world_from_object);
     } else {
-      add_instance(build_mesh(mesh, object.world_from_object).get(), mat4(1.0f));
+      add_instance(build_mesh(mesh, parts, object.world_from_object).get(), mat4(1.0f));
     }
   }
   rtcCommitScene(top_.get());
   check();
 }
 
-embree::Scene Acceleration::build_mesh(const Mesh& mesh, const mat4& transform) {
+Acceleration::CastingParts Acceleration::casting_parts(const Object& object, const Mesh& mesh) const {
+  CastingParts parts;
+  for (size_t i = 0; i < mesh.parts.size(); ++i) {
+    const MeshPart& part = mesh.parts[i];
+    const Material& material = scene_.materials[static_cast<size_t>(part.material)];
+    if (part.triangle_count() > 0 && part_casts(object, material)) parts.push_back(i);
+  }
+  return parts;
+}
+
+embree::Scene Acceleration::build_mesh(const Mesh& mesh, const CastingParts& parts, const mat4& transform) {
   embree::Scene built(rtcNewScene(device_.get()));
   rtcSetSceneFlags(built.get(), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(built.get(), RTC_BUILD_QUALITY_HIGH);
-  for (const MeshPart& part : mesh.parts) {
-    if (part.triangle_count() == 0) continue;
-    const embree::Geometry geometry = build_part(part, transform);
+  for (const size_t part : parts) {
+    const embree::Geometry geometry = build_part(mesh.parts[part], transform);
     rtcAttachGeometry(built.get(), geometry.get());
   }
   rtcCommitScene(built.get());
@@ -77,7 +86,7 @@ embree::Geometry Acceleration::build_part(const MeshPart& part, const mat4& tran
   std::copy(part.indices.begin(), part.indices.end(), indices);
 
   const Material& material = scene_.materials[static_cast<size_t>(part.material)];
-  if (material.masked) {
+  if (material.caster_cutoff() >= 0.0f) {
     const int texture = material.base_colour_texture;
     const Texture* picture = texture == k_no_texture ? nullptr : &scene_.textures[static_cast<size_t>(texture)];
     masked_parts_.push_back(std::make_unique<MaskedPart>(MaskedPart{part, material, picture}));
@@ -112,7 +121,7 @@ bool Acceleration::exists(const MaskedPart& masked, unsigned int triangle, float
     const vec2 uv = interpolate_uv(uvs[corner[0]], uvs[corner[1]], uvs[corner[2]], u, v);
     alpha *= texture_alpha(*masked.texture, transform_uv(material.base_colour_uv.row_u, material.base_colour_uv.row_v, uv));
   }
-  return alpha >= material.alpha_cutoff;
+  return alpha >= material.caster_cutoff();
 }
 
 void Acceleration::alpha_filter(const RTCFilterFunctionNArguments* arguments) {

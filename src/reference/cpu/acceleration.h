@@ -29,7 +29,10 @@ class Acceleration {
     const Texture* texture;  // may be null
   };
 
-  embree::Scene build_mesh(const Mesh& mesh, const mat4& transform);
+  using CastingParts = std::vector<size_t>;  // of a mesh, those that have triangles
+
+  CastingParts casting_parts(const Object& object, const Mesh& mesh) const;
+  embree::Scene build_mesh(const Mesh& mesh, const CastingParts& parts, const mat4& transform);
   embree::Geometry build_part(const MeshPart& part, const mat4& transform);
   void add_instance(RTCScene mesh, const mat4& world_from_object);
   void check() const;

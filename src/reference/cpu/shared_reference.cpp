@@ -8,4 +8,9 @@ const EmbreeReference& SharedReference::get() {
   return *reference_;
 }
 
+void SharedReference::forget() {
+  const std::lock_guard lock(building_);
+  reference_.reset();
+}
+
 }  // namespace gnomon

@@ -16,6 +16,8 @@ class SharedReference {
   // Built by the first thread that asks; others wait for it meanwhile. Throws what building throws; the next call then tries
   // again.
   const EmbreeReference& get();
+  // The scene has other casters: the next call builds anew. Nobody may use an answer of get() any more.
+  void forget();
 
  private:
   const Scene& scene_;

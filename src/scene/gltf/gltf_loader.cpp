@@ -1,6 +1,7 @@
 // glTF 2.0, .gltf and .glb.
 #include "base/error.h"
 #include "base/file.h"
+#include "scene/finish_file_scene.h"
 #include "scene/gltf/gltf_accessors.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/gltf_materials.h"
@@ -20,7 +21,7 @@ Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string&
   GltfMaterials materials(document, scene);
   add_gltf_nodes(document, accessors, read_gltf_meshes(document, accessors, materials), options, scene);
   if (scene.materials.empty()) materials.default_material();
-  check_scene(scene);
+  finish_file_scene(scene, options);
   return scene;
 }
 

@@ -165,7 +165,7 @@ void GltfMaterials::read_material(const GltfValue& json) {
   if (mode == "MASK") {
     material.masked = true;
   } else if (mode == "BLEND") {
-    blended_.push_back(static_cast<int>(scene_.materials.size()));
+    material.blended = true;
   } else if (mode != "OPAQUE") {
     json.fail_in("alphaMode", "is \"{}\"; valid: OPAQUE, MASK, BLEND", mode);
   }
@@ -229,15 +229,8 @@ void GltfMaterials::settle_coverage() {
     return m.base_colour_texture != k_no_texture &&
            has_transparency(scene_.textures[static_cast<size_t>(m.base_colour_texture)].image);
   };
-  for (const int i : blended_) {
-    Material& material = scene_.materials[static_cast<size_t>(i)];
-    material.masked = texture_has_holes(material);
-    material.alpha_cutoff = 0.5f;
-    if (material.masked) material.base_colour.w = 1.0f;
-    log_debug("{}: materials[{}].alphaMode: BLEND is treated as {}", document_.name(), i,
-              material.masked ? "MASK at 0.5" : "OPAQUE");
-  }
   for (Material& material : scene_.materials) {
+    if (material.blended) material.masked = texture_has_holes(material);
     if (material.masked && !texture_has_holes(material) && material.base_colour.w >= material.alpha_cutoff)
       material.masked = false;
   }

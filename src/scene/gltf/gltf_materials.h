@@ -54,7 +54,7 @@ class GltfMaterials {
   std::map<int, Picture> pictures_;      // by image, those that are used
   std::vector<int> picture_of_texture_;  // scene texture -> image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> made_;
-  std::vector<int> uv_sets_, blended_;
+  std::vector<int> uv_sets_;
   std::vector<std::string> without_cutouts_;  // masked or blended materials whose texture is not there
   int default_material_ = -1;
 };

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/log.h"
+#include "scene/finish_file_scene.h"
 #include "scene/load.h"
 #include "scene/obj/obj_materials.h"
 #include "scene/obj/obj_mesh.h"
@@ -40,7 +41,6 @@ class ObjLoader {
     if (material_names_.empty()) material_names_.emplace_back();
     add_obj_materials(scene, file_, libraries_, material_names_);
     build(scene);
-    check_scene(scene);
     return scene;
   }
 
@@ -294,7 +294,9 @@ class ObjLoader {
 Scene load_obj_from_memory(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                            const SceneFileOptions& options) {
   const ObjSource source{name, folder, options};
-  return ObjLoader(text, source).load();
+  Scene scene = ObjLoader(text, source).load();
+  finish_file_scene(scene, options);
+  return scene;
 }
 
 Scene load_obj(const std::filesystem::path& path, const SceneFileOptions& options) {

@@ -140,6 +140,7 @@ void add_obj_materials(Scene& scene, const ObjSource& source, const std::vector<
     Material material = entry ? maker.make(*entry) : Material{};
     material.name = name.empty() ? "default" : name;
     material.double_sided = true;  // the format knows no culling, and files wind their faces as they like
+    material.blended = material.base_colour.w < 1.0f;
     if (entry && !entry->material.alpha.name.empty() && !material.masked) solid.push_back(material.name);
     scene.materials.push_back(std::move(material));
   }

@@ -55,6 +55,8 @@ class Explain {
   void judge(Session& session);
   // A side's picture is out of date where this changes.
   std::string key(size_t side) const;
+  // Nothing of the shared rays is used behind this, until the next pick is judged.
+  void forget_rays() { reference_.reset(); }
   bool reads_map() const { return options_.map_open; }  // in each frame
   bool reads_frame() const { return place_ || options_.map_open || options_.lines || options_.overlay != k_overlay_none; }
   // What the overlay is called; empty where none lies over the picture.

@@ -2,11 +2,15 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cctype>
 #include <functional>
+#include <set>
 
 #include "app/viewer/state/typed_scene.h"
 #include "app/viewer/status_file.h"
 #include "base/user_folder.h"
+#include "scene/casting.h"
 #include "scene/load.h"
 
 namespace gnomon::viewer {
@@ -35,6 +39,60 @@ std::optional<std::string> ScenePanel::show(const std::string& shown_scene, cons
   note_widget("scene_path");
   if (const std::string typed = typed_scene(path_, home_folder()); entered && !typed.empty()) wanted = typed;
   return wanted;
+}
+
+namespace {
+
+bool holds(const std::string& text, const std::string& part) {
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+}
+
+}  // namespace
+
+void ScenePanel::find_rows(const Scene& scene) {
+  rows_.clear();
+  std::set<std::string> names;  // things of one name are switched together
+  for (const Object& object : scene.objects) {
+    if (holds(object.name, filter_) && names.insert(object.name).second) rows_.push_back({object.name, &object, nullptr});
+  }
+  names.clear();
+  for (const Material& material : scene.materials) {
+    if (holds(material.name, filter_) && names.insert(material.name).second)
+      rows_.push_back({material.name, nullptr, &material});
+  }
+  rows_of_ = &scene;
+}
+
+void ScenePanel::show_casting(ViewState& state, const Scene& scene) {
+  if (!ImGui::TreeNode("who casts shadows")) return;
+  note_widget("casting");
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool typed = ImGui::InputTextWithHint("##cast_filter", "part of a name", filter_, sizeof filter_);
+  note_widget("cast_filter");
+  if (typed || rows_of_ != &scene) find_rows(scene);
+  constexpr float k_shown_rows = 8.0f;
+  if (ImGui::BeginChild("##casters", {0.0f, k_shown_rows * ImGui::GetFrameHeightWithSpacing()}, true)) {
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows_.size()));
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+        const Row& row = rows_[static_cast<size_t>(i)];
+        bool casts = row.object ? object_casts(scene, *row.object) : material_casts(*row.material);
+        ImGui::PushID(i);
+        const std::string label = row.name + (row.object ? "" : " (material)");
+        if (ImGui::Checkbox(label.c_str(), &casts)) set_cast(state.view.casts, row.name, casts);
+        note_widget("cast", row.name);
+        ImGui::PopID();
+      }
+    }
+  }
+  ImGui::EndChild();
+  ImGui::BeginDisabled(state.view.casts.empty());
+  if (ImGui::Button("as the scene says")) state.view.casts.clear();
+  ImGui::EndDisabled();
+  note_widget("cast_reset");
+  ImGui::TreePop();
 }
 
 namespace {

@@ -1,0 +1,12 @@
+// What 32-bit floats can draw: scenes that would end as an empty picture, or one without shadows, say so first.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace gnomon {
+
+// Throws Error where there is nothing to draw, or where a coordinate is too large for rays and rasteriser alike, naming the
+// object. Warns of vertices so far out that the rest of the scene is a point beside them.
+void check_drawable(const Scene& scene);
+
+}  // namespace gnomon
