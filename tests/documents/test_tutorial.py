@@ -1,8 +1,8 @@
 """The tutorial, followed to the letter: its files become a technique in a copy of the tree, and its commands are run.
 
 The copy is configured as the program's build was, but only what is new in it is compiled: the technique's C++ and kernels, and the tables
-that the build writes. They are linked before the libraries of the program's build, so that their tables are found first. A build of all
-that, and conformance: tests/conformance/new_technique_test.sh (slow).
+that the build writes. They are linked before the libraries of the program's build, so that their tables are found first; so are the
+conformance tests, of which those of the technique are run. A build of all that: tests/conformance/new_technique_test.sh (slow).
 usage: test_tutorial.py, or test_tutorial.py --write TREE: only puts the technique into TREE"""
 import pathlib
 import re
@@ -28,7 +28,6 @@ class Tutorial(CommandCase):
     def setUp(self):
         super().setUp()
         self.tree, self.build = self.folder / "tree", self.folder / "build"
-        self.program = self.folder / "gnomon"
         for name in tracked("CMakeLists.txt", "cmake", "presets", "scripts", "src"):
             (self.tree / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / name, self.tree / name)
@@ -63,9 +62,16 @@ class Tutorial(CommandCase):
                 shutil.copy(path, copy)
         words = next(name for name in targets if name.endswith("/spirv.S.o"))
         self.make_alone(words)
-        first = " ".join(shlex.quote(str(self.build / name)) for name in [*objects, words])
-        link = next(line for line in self.ninja(BUILD, "-t", "commands", "bin/gnomon").splitlines() if " -o bin/gnomon " in line)
-        self.shell(link.replace(" -o bin/gnomon ", f" -o {shlex.quote(str(self.program))} {first} "), BUILD)
+        self.first = " ".join(shlex.quote(str(self.build / name)) for name in [*objects, words])
+
+    def linked(self, name):
+        """A program of the build, with the new technique."""
+        program = self.folder / name
+        if not program.exists():
+            output = f" -o bin/{name} "
+            link = next(line for line in self.ninja(BUILD, "-t", "commands", f"bin/{name}").splitlines() if output in line)
+            self.shell(link.replace(output, f" -o {shlex.quote(str(program))} {self.first} "), BUILD)
+        return program
 
     def command(self, where, words):
         if words[0] == "scripts/new_technique.sh":
@@ -73,16 +79,18 @@ class Tutorial(CommandCase):
         elif words[:2] == ["cmake", "--build"]:
             self.make()
         elif words[0] == "build/release/bin/gnomon":
-            self.run_it(where, [self.program, *quick(words[1:])])
-        elif words[0] == "./test.sh":
-            self.run_tests(where, words[1:])
+            self.run_it(where, [self.linked("gnomon"), *quick(words[1:])])
+        elif words == ["./test.sh", "--label", "conformance"]:
+            passed = self.run_it(where, [self.linked("gnomon_conformance_tests"), f"--gtest_filter=*{NAME}*"])
+            self.assertRegex(passed, rf"OK.*EveryTechnique.*single_{NAME}")
+            self.assertRegex(passed, rf"OK.*EveryParameter.*{NAME}_softness")
         else:
             self.fail(f"{where}: no test knows how to run '{words[0]}'")
 
     def mask(self, technique, *arguments):
         """A picture's bytes."""
         picture = self.folder / "mask.png"
-        self.run_it(technique, [self.program, "render", "chart/fence", "-o", picture, "--size", "96x72", "--show", "mask", "--technique",
+        self.run_it(technique, [self.linked("gnomon"), "render", "chart/fence", "-o", picture, "--size", "96x72", "--show", "mask", "--technique",
                                 technique, "--set", "single.size=64", *arguments])
         return picture.read_bytes()
 
