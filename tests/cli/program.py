@@ -2,12 +2,14 @@
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
 
 PROGRAM = os.path.abspath(os.environ.get("GNOMON", "build/release/bin/gnomon"))
-SHARED_SCENES = pathlib.Path(__file__).resolve().parents[3] / "shared" / "scenes"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SHARED_SCENES = ROOT.parent / "shared" / "scenes"
 
 OK, FAILURE, USAGE, DEVICE, THRESHOLD = range(5)
 
@@ -41,6 +43,16 @@ class Case(unittest.TestCase):
 
     def compare(self, scene, output, *arguments, expect=OK):
         return self.run_gnomon("compare", scene, "-o", output, *QUICK, *QUICK_TIMING, *arguments, expect=expect)
+
+
+def run_script_root(root):
+    """A root with run.sh that neither installs nor builds, and this program."""
+    (root / "scripts").mkdir(parents=True)
+    (root / "build" / "release" / "bin").mkdir(parents=True)
+    shutil.copy(ROOT / "run.sh", root)
+    (root / "scripts" / "stage.sh").write_text("prepare() { :; }\nstage() { :; }\n", encoding="utf-8")
+    (root / "build" / "release" / "bin" / "gnomon").symlink_to(PROGRAM)
+    return root
 
 
 def read_lines(folder):

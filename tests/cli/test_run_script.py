@@ -1,24 +1,16 @@
 """run.sh, without its installing and building: where results go, and what it refuses."""
-import pathlib
-import shutil
 import subprocess
 import unittest
 
-from program import OK, PROGRAM, QUICK, QUICK_TIMING, USAGE, Case
+from program import OK, QUICK, QUICK_TIMING, USAGE, Case, run_script_root
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 TRIANGLES = "v 0 0 0\nv 4 0 0\nv 0 0 -4\nv 1 1 -1\nv 2 1 -1\nv 1 1 -2\nf 1 2 3\nf 4 5 6\n"
 
 
 class RunScript(Case):
     def setUp(self):
         super().setUp()
-        self.root = self.folder / "gnomon"
-        (self.root / "scripts").mkdir(parents=True)
-        (self.root / "build" / "release" / "bin").mkdir(parents=True)
-        shutil.copy(ROOT / "run.sh", self.root)
-        (self.root / "scripts" / "stage.sh").write_text("prepare() { :; }\nstage() { :; }\n", encoding="utf-8")
-        (self.root / "build" / "release" / "bin" / "gnomon").symlink_to(PROGRAM)
+        self.root = run_script_root(self.folder / "gnomon")
 
     def run_script(self, *arguments, expect=OK):
         done = subprocess.run([self.root / "run.sh", *map(str, arguments)], capture_output=True, text=True, timeout=300, cwd=self.folder, check=False)

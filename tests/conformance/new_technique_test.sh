@@ -1,7 +1,7 @@
 #!/bin/bash
 # A technique is one folder (docs/architecture.md): in a copy of the working tree, copies a filter with scripts/new_technique.sh,
-# builds, and checks that the copy is listed, renders like its model and passes the conformance tests, and that no other file
-# was touched. Usage: new_technique_test.sh SOURCE_DIR WORK_DIR. The work folder is kept: later runs build only what changed.
+# puts the tutorial's filter beside it (docs/adding_a_technique.md), builds, and checks that the copy is listed and renders like its
+# model, that both pass the conformance tests, and that no other file was touched. Usage: new_technique_test.sh SOURCE_DIR WORK_DIR. The work folder is kept: later runs build only what changed.
 set -eu
 source=$1 work=$2
 tree=$work/tree build=$work/build
@@ -23,8 +23,10 @@ git add -A
 git -c user.name=test -c user.email=test@localhost -c core.hooksPath=/dev/null -c commit.gpgsign=false commit -q -m 'working tree'
 
 scripts/new_technique.sh filter pcf pcf_copy
-touched=$(git status --porcelain)
-[ "$touched" = '?? src/shadow/map/filter/pcf_copy/' ] || fail "other files changed: $touched"
+/usr/bin/python3 -B "$source/tests/documents/test_tutorial.py" --write "$tree"
+touched=$(git status --porcelain | tr '\n' ' ')
+expected='?? src/shadow/map/filter/my_filter/ ?? src/shadow/map/filter/pcf_copy/ '
+[ "$touched" = "$expected" ] || fail "other files changed: $touched"
 
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE='-O0 -DNDEBUG' >"$work/configure.log" 2>&1 ||
   { tail -20 "$work/configure.log"; fail 'configuring'; }
@@ -38,8 +40,10 @@ for filter in pcf pcf_copy; do
 done
 cmp "$work/pictures/pcf.png" "$work/pictures/pcf_copy.png" || fail 'the copy renders another picture than its model'
 
-"$build/bin/gnomon_conformance_tests" --gtest_filter='*pcf_copy*' >"$work/tests.log" 2>&1 || { tail -40 "$work/tests.log"; fail 'conformance'; }
-grep -q 'EveryTechnique.*single_pcf_copy' "$work/tests.log" || fail 'no conformance test of the technique ran'
+"$build/bin/gnomon_conformance_tests" --gtest_filter='*pcf_copy*:*my_filter*' >"$work/tests.log" 2>&1 || { tail -40 "$work/tests.log"; fail 'conformance'; }
+for filter in pcf_copy my_filter; do
+  grep -q "EveryTechnique.*single_$filter" "$work/tests.log" || fail "no conformance test of single/$filter ran"
+done
 grep -q 'EveryParameter.*pcf_copy_size' "$work/tests.log" || fail 'no conformance test of its parameters ran'
-[ "$(git status --porcelain)" = '?? src/shadow/map/filter/pcf_copy/' ] || fail 'the build touched the tree'
-echo "single/pcf_copy: $(grep -c '       OK' "$work/tests.log") conformance tests passed; one folder was added, nothing else changed"
+[ "$(git status --porcelain | tr '\n' ' ')" = "$expected" ] || fail 'the build touched the tree'
+echo "pcf_copy, my_filter: $(grep -c '       OK' "$work/tests.log") conformance tests passed; two folders were added, nothing else changed"

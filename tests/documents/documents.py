@@ -17,7 +17,7 @@ import subprocess
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TUTORIAL = "docs/adding_a_technique.md"
 KINDS = {"sh", "json preset", "json suite", "json path", "json result", "json part", "c file", "glsl file", "cpp file", "glsl quote",
-         "cpp quote", "text tree", "text table", "text options", "text figure"}
+         "cpp quote", "diff quote", "text tree", "text table", "text options", "text figure"}
 FIGURES = {"docs/architecture.md": 1}
 
 

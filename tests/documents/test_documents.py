@@ -14,7 +14,7 @@ TOP = {folder for folder in FOLDERS if "/" not in folder}
 # "src/gpu/use.h", or below src/ "gpu/use.h"; not a part of a longer path, nor a place that a reader is to fill in.
 PATH = re.compile(rf"(?<![\w/.<>$@{{}}:-])((?:{'|'.join(map(re.escape, sorted(TOP | LAYERS)))})/[\w./<>*{{}},-]*)")
 # Names that stand for a file of the user's.
-EXAMPLES = {"presets/mine.json", "src/shadow/map/filter/pcf_copy"}
+EXAMPLES = {"presets/mine.json", "src/shadow/map/filter/pcf_copy", "src/shadow/map/filter/my_filter"}
 BINARY = {".png", ".glb"}
 GENERATED = {"docs/results.md"}
 
