@@ -73,7 +73,9 @@ class SceneHash {
   void add(const UvTransform& transform) { values(transform.row_u, transform.row_v); }
   void add(const Material& m) {
     values(m.base_colour, m.base_colour_texture, m.normal_texture, m.normal_scale, m.masked, m.alpha_cutoff, m.double_sided);
-    values(m.specular, m.shininess, m.emissive, m.casts, m.half_casts, m.named_cast.rule, m.named_cast.on);
+    values(m.specular, m.shininess, m.emissive);
+    if (!m.casts || m.half_casts) values(m.casts, m.half_casts);
+    add(m.named_cast);
     add(m.base_colour_uv);
     add(m.normal_uv);
   }
@@ -88,7 +90,11 @@ class SceneHash {
   }
   void add(const Mesh& mesh) { all(mesh.parts); }
   void add(const Object& object) {
-    values(object.mesh, object.world_from_object, object.casts, object.named_cast.rule, object.named_cast.on);
+    values(object.mesh, object.world_from_object, object.casts);
+    add(object.named_cast);
+  }
+  void add(const NamedCast& cast) {
+    if (cast.rule >= 0) values(cast.rule, cast.on);
   }
   void add(const Light& light) {
     values(light.kind, light.position, light.direction, light.colour, light.intensity, light.angular_diameter);
