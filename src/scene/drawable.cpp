@@ -12,7 +12,9 @@ namespace gnomon {
 namespace {
 
 // A face's normal has the square of its size as its length, and its length is a square again: the fourth power has to fit.
-constexpr float k_largest_m = 4e9f, k_smallest_m = 4e-9f;
+constexpr float k_largest_m = 4e9f;
+// Rays start at least 1.9e-6 m off their surface (base/glsl/sampling.glsl), beyond all that is smaller.
+constexpr float k_smallest_m = 1e-5f;
 // Beyond this many times the distance of most vertices from their middle, a map of 4096 texels has none left for them.
 constexpr float k_stray = 1e4f;
 
@@ -30,8 +32,10 @@ class Drawable {
     const vec3 extent = scene_.bounds().extent();
     const float size = std::max({extent.x, extent.y, extent.z});
     if (size > 0.0f && size < k_smallest_m) {
-      fail("{}: nothing to draw: the scene is {:.3g} m across; valid: at least {:.0g} m, since areas of less do not fit 32-bit floats",
-           name_, size, k_smallest_m);
+      fail(
+          "{}: nothing to draw: the scene is {:.3g} m across; valid: at least {:.0g} m, since areas of less do not fit 32-bit "
+          "floats",
+          name_, size, k_smallest_m);
     }
     if (!has_area()) {
       fail("{}: nothing to draw: no triangle has an area; {}", name_,
@@ -66,8 +70,10 @@ class Drawable {
   void check_largest() const {
     each_vertex(1, [&](const Object& object, const vec3& own, const vec3& world) {
       if (largest(own) <= k_largest_m && largest(world) <= k_largest_m) return;
-      fail("{}: object '{}' has a vertex at {}{}; valid: coordinates up to {:.0g} m, since areas of more do not fit 32-bit floats",
-           name_, object.name, text(own), world == own ? "" : ", which is placed at " + text(world), k_largest_m);
+      fail(
+          "{}: object '{}' has a vertex at {}{}; valid: coordinates up to {:.0g} m, since areas of more do not fit 32-bit "
+          "floats",
+          name_, object.name, text(own), world == own ? "" : ", which is placed at " + text(world), k_largest_m);
     });
   }
 

@@ -73,7 +73,9 @@ class SceneHash {
   void add(const UvTransform& transform) { values(transform.row_u, transform.row_v); }
   void add(const Material& m) {
     values(m.base_colour, m.base_colour_texture, m.normal_texture, m.normal_scale, m.masked, m.alpha_cutoff, m.double_sided);
-    values(m.specular, m.shininess, m.emissive, m.casts, m.half_casts, m.named_cast.rule, m.named_cast.on);
+    values(m.specular, m.shininess, m.emissive);
+    if (!m.casts || m.half_casts) values(m.casts, m.half_casts);
+    add(m.named_cast);
     add(m.base_colour_uv);
     add(m.normal_uv);
   }
@@ -88,7 +90,11 @@ class SceneHash {
   }
   void add(const Mesh& mesh) { all(mesh.parts); }
   void add(const Object& object) {
-    values(object.mesh, object.world_from_object, object.casts, object.named_cast.rule, object.named_cast.on);
+    values(object.mesh, object.world_from_object, object.casts);
+    add(object.named_cast);
+  }
+  void add(const NamedCast& cast) {
+    if (cast.rule >= 0) values(cast.rule, cast.on);
   }
   void add(const Light& light) {
     values(light.kind, light.position, light.direction, light.colour, light.intensity, light.angular_diameter);
@@ -123,17 +129,25 @@ std::string Scene::content_hash() const {
 
 namespace {
 
-// The corners of the boxes around the placed meshes, relative to `origin`.
-std::vector<vec3> corners_of_objects(const Scene& scene, const vec3& origin) {
-  std::vector<Box> of_mesh;
-  for (const Mesh& mesh : scene.meshes) of_mesh.push_back(mesh.bounds());
-  std::vector<vec3> corners;
-  for (const Object& object : scene.objects) {
-    const Box& box = of_mesh.at(static_cast<size_t>(object.mesh));
-    for (int i = 0; i < 8 && !box.empty(); ++i)
-      corners.push_back(vec3(object.world_from_object * vec4(box.corner(i), 1.0f)) - origin);
+// What the picture has to hold, relative to `origin`: all vertices, or, where they are many, the corners of boxes around
+// meshes.
+std::vector<vec3> outline(const Scene& scene, const vec3& origin) {
+  constexpr size_t k_many = 1 << 18;
+  std::vector<std::vector<vec3>> of_mesh(scene.meshes.size());
+  const bool many = 3 * scene.triangle_count() > k_many;
+  for (size_t i = 0; i < scene.meshes.size(); ++i) {
+    const Box box = scene.meshes[i].bounds();
+    for (int k = 0; k < 8 && many && !box.empty(); ++k) of_mesh[i].push_back(box.corner(k));
+    for (const MeshPart& part : scene.meshes[i].parts) {
+      if (!many) of_mesh[i].insert(of_mesh[i].end(), part.positions.begin(), part.positions.end());
+    }
   }
-  return corners;
+  std::vector<vec3> points;
+  for (const Object& object : scene.objects) {
+    for (const vec3& p : of_mesh.at(static_cast<size_t>(object.mesh)))
+      points.push_back(vec3(object.world_from_object * vec4(p, 1.0f)) - origin);
+  }
+  return points;
 }
 
 // A camera that looks along -back, and as near as it may be for all points to be in the picture.
@@ -180,14 +194,14 @@ Camera framing_camera(const Scene& scene, float aspect) {
 
   const float tan_y = std::tan(0.5f * camera.vertical_fov) / k_margin;
   const vec2 tangents(tan_y * std::max(aspect, 1e-3f), tan_y);
-  const std::vector<vec3> points = corners_of_objects(scene, box.centre());
+  const std::vector<vec3> points = outline(scene, box.centre());
   Fit fit(points, k_azimuth, k_elevation, tangents);
   for (const float azimuth : k_across) {
     const Fit other(points, azimuth, k_elevation, tangents);
     if (other.distance * k_larger < fit.distance) fit = other;
   }
   // A sheet seen edge-on still needs room between it and the eye.
-  const float distance = std::max({fit.distance, fit.nearest + 0.1f * radius, 1e-3f * radius});
+  const float distance = std::max({fit.distance, fit.nearest + 0.02f * radius, 1e-3f * radius});
   const vec3 position = box.centre() + fit.centre.x * fit.right + fit.centre.y * fit.up + distance * fit.back;
   camera.world_from_view = mat4(vec4(fit.right, 0), vec4(fit.up, 0), vec4(fit.back, 0), vec4(position, 1));
   camera.near = std::max(0.5f * (distance - fit.nearest), 1e-3f * distance);

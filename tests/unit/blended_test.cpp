@@ -23,7 +23,8 @@ SceneFileOptions with_rule(uint32_t rule) {
   return options;
 }
 
-// A horizontal pane at height 1, from -1 to 1, of a blended material. Texture: its left half has that alpha, its right is clear.
+// A horizontal pane at height 1, from -1 to 1, of a blended material. Texture: its left half has that alpha, its right is
+// clear.
 Scene pane(double alpha, std::optional<uint8_t> left_alpha, uint32_t rule) {
   GltfBuilder b;
   const json attributes = {{"POSITION", b.positions({{-1, 1, -1}, {-1, 1, 1}, {1, 1, -1}, {1, 1, 1}})},
@@ -50,8 +51,12 @@ struct Shadows {
   bool operator==(const Shadows&) const = default;
 };
 
-// Under a sun at the zenith.
-Shadows shadows(const Scene& scene) {
+// Under a sun at the zenith. Something far below always casts: a reference without casters is refused.
+Shadows shadows(Scene scene) {
+  scene.materials.emplace_back();
+  MeshPart below = test::floor_quad(1.0f, -9.0f);
+  below.material = static_cast<int>(scene.materials.size()) - 1;
+  test::add(scene, below);
   const std::vector<SurfacePoint> points = {test::floor_point(-0.5f, 0), test::floor_point(0.5f, 0)};
   const auto visibility = EmbreeReference(scene).trace(points, {0, 10, 0}, test::sun({0, -1, 0}), false, 1, 0).visibility;
   return {visibility[0] == 0.0f, visibility[1] == 0.0f};

@@ -31,7 +31,12 @@ Scene two_tables() {
 }
 
 // Which of the four parts cast: wood and glass of the left table, then of the right one. Traced.
-std::string casting(const Scene& scene) {
+// Something far below always casts: a reference without casters is refused.
+std::string casting(Scene scene) {
+  scene.materials.emplace_back();
+  MeshPart below = test::floor_quad(1.0f, -9.0f);
+  below.material = static_cast<int>(scene.materials.size()) - 1;
+  test::add(scene, below);
   std::vector<SurfacePoint> points;
   for (const float x : {-3.5f, -2.5f, 2.5f, 3.5f}) points.push_back(test::floor_point(x, 0));
   const auto visibility = EmbreeReference(scene).trace(points, {0, 10, 0}, test::sun({0, -1, 0}), false, 1, 0).visibility;
