@@ -170,7 +170,7 @@ TEST_F(ObjFiles, ABimodalAlphaCutsAndIsNamed) {
   picture("a.png", leaf);
   EXPECT_TRUE(load_with("newmtl m\nd 1\nmap_Kd a.png\n").materials[0].masked);
   EXPECT_EQ(warned("holes taken from the alpha of map_Kd"), 1);
-  EXPECT_EQ(warned("m (31 %)"), 1) << "5 of 16 columns";
+  EXPECT_EQ(warned("m (31.2 %)"), 1) << "5 of 16 columns";
   EXPECT_EQ(warned("scene.alpha_from_colour=off"), 1);
 }
 

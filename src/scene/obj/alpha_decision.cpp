@@ -12,7 +12,7 @@ bool AlphaDecision::cuts(const Image8& picture, const std::string& material) {
   const AlphaShares shares = alpha_shares(picture);
   if (shares.holes == 0.0) return false;  // nothing would be cut
   const bool cuts = is_cut_out(shares);
-  (cuts ? cut_ : whole_).push_back(fmt::format("{} ({:.2g} %)", material, 100.0 * shares.holes));
+  (cuts ? cut_ : whole_).push_back(fmt::format("{} ({:.3g} %)", material, 100.0 * shares.holes));
   return cuts;
 }
 
