@@ -16,6 +16,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/webp.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -108,6 +109,7 @@ void check_header(std::span<const std::byte> encoded, const std::string& name) {
 }  // namespace
 
 Image8 decode_image(std::span<const std::byte> encoded, const std::string& name) {
+  if (is_webp(encoded)) return decode_webp(encoded, name);
   check_header(encoded, name);
   Image8 image;
   int channels = 0;

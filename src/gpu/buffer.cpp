@@ -27,12 +27,19 @@ Buffer::Buffer(Device& device, std::string name, size_t bytes, BufferMemory memo
     buffer_ = VK_NULL_HANDLE;
     vk_check(created, fmt::format("buffer '{}' of {:.1f} MiB", name_, static_cast<double>(bytes) / 1048576.0));
   }
-  mapped_ = static_cast<std::byte*>(result.pMappedData);
+  // Mesa's CPU driver maps memory that it could not get as success, at address 0 (address space of 900 MB; Mesa 25).
+  const bool unmapped = memory != BufferMemory::device && reinterpret_cast<uintptr_t>(result.pMappedData) <= result.offset;
+  mapped_ = unmapped ? nullptr : static_cast<std::byte*>(result.pMappedData);
   device.note_allocation(static_cast<int64_t>(bytes));
   device.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(buffer_), name_);
   VkBufferDeviceAddressInfo address = {VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO};
   address.buffer = buffer_;
   address_ = vkGetBufferDeviceAddress(device.handle(), &address);
+  if (unmapped) {
+    release();
+    vk_check(VK_ERROR_MEMORY_MAP_FAILED,
+             fmt::format("buffer '{}' of {:.1f} MiB", name_, static_cast<double>(bytes) / 1048576.0));
+  }
 }
 
 void Buffer::invalidate() const {

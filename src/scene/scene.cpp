@@ -129,32 +129,79 @@ std::string Scene::content_hash() const {
 
 namespace {
 
-// What the picture has to hold, relative to `origin`: all vertices, or, where they are many, the corners of boxes around
-// meshes.
-std::vector<vec3> outline(const Scene& scene, const vec3& origin) {
+// A place that the picture may have to hold. The weights of an object add up to the square root of its vertices: one statue of
+// a million in a hall is not all that there is to see.
+struct Place {
+  vec3 position;
+  double weight;
+};
+
+// All vertices, or, where they are many, the corners of boxes around meshes; relative to `origin`.
+std::vector<Place> places_of(const Scene& scene, const vec3& origin) {
   constexpr size_t k_many = 1 << 18;
-  std::vector<std::vector<vec3>> of_mesh(scene.meshes.size());
+  std::vector<std::vector<Place>> of_mesh(scene.meshes.size());
   const bool many = 3 * scene.triangle_count() > k_many;
   for (size_t i = 0; i < scene.meshes.size(); ++i) {
-    const Box box = scene.meshes[i].bounds();
-    for (int k = 0; k < 8 && many && !box.empty(); ++k) of_mesh[i].push_back(box.corner(k));
+    size_t vertices = 0;
     for (const MeshPart& part : scene.meshes[i].parts) {
-      if (!many) of_mesh[i].insert(of_mesh[i].end(), part.positions.begin(), part.positions.end());
+      vertices += part.positions.size();
+      for (size_t v = 0; v < part.positions.size() && !many; ++v) of_mesh[i].push_back({part.positions[v], 1.0});
     }
+    const Box box = scene.meshes[i].bounds();
+    for (int k = 0; k < 8 && many && !box.empty(); ++k)
+      of_mesh[i].push_back({box.corner(k), static_cast<double>(vertices) / 8.0});
   }
-  std::vector<vec3> points;
+  std::vector<Place> places;
   for (const Object& object : scene.objects) {
-    for (const vec3& p : of_mesh.at(static_cast<size_t>(object.mesh)))
-      points.push_back(vec3(object.world_from_object * vec4(p, 1.0f)) - origin);
+    for (const Place& place : of_mesh.at(static_cast<size_t>(object.mesh)))
+      places.push_back({vec3(object.world_from_object * vec4(place.position, 1.0f)) - origin, place.weight});
   }
-  return points;
+  return places;
+}
+
+// Where along an axis all but a hundredth of the weight lies at either end.
+std::pair<float, float> crowd_along(std::vector<Place> places, int axis) {
+  constexpr double k_few = 0.01;
+  std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) { return a.position[axis] < b.position[axis]; });
+  double all = 0.0, passed = 0.0;
+  for (const Place& place : places) all += place.weight;
+  std::pair<float, float> crowd = {places.front().position[axis], places.back().position[axis]};
+  for (const Place& place : places) {
+    if (passed <= k_few * all) crowd.first = place.position[axis];
+    if (passed <= (1.0 - k_few) * all) crowd.second = place.position[axis];
+    passed += place.weight;
+  }
+  return crowd;
+}
+
+// What the picture has to hold. Ground that goes on far beyond all that stands on it, to a horizon, would leave a town some
+// twenty pixels: where the scene is k_wider times as wide as the part that holds nearly all of its vertices, that part is
+// shown.
+std::vector<vec3> outline(const Scene& scene, const vec3& origin) {
+  constexpr float k_wider = 2.5f;
+  const std::vector<Place> places = places_of(scene, origin);
+  std::vector<vec3> points, crowded;
+  if (places.empty()) return points;
+  const auto [x0, x1] = crowd_along(places, 0);
+  const auto [z0, z1] = crowd_along(places, 2);
+  Box all, crowd;
+  for (const Place& place : places) {
+    const vec3& p = place.position;
+    points.push_back(p);
+    all.add(p);
+    if (p.x < x0 || p.x > x1 || p.z < z0 || p.z > z1) continue;
+    crowded.push_back(p);
+    crowd.add(p);
+  }
+  const auto width = [](const Box& box) { return std::max(box.max.x - box.min.x, box.max.z - box.min.z); };
+  return crowded.empty() || width(all) < k_wider * width(crowd) ? points : crowded;
 }
 
 // A camera that looks along -back, and as near as it may be for all points to be in the picture.
 struct Fit {
   vec3 right, up, back;
   vec2 centre = vec2(0.0f);  // of the picture, along right and up
-  float distance = 0.0f, nearest = 0.0f, farthest = 0.0f;
+  float distance = 0.0f, nearest = 0.0f;
 
   Fit(const std::vector<vec3>& points, float azimuth, float elevation, const vec2& tangents)
       : back(std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)) {
@@ -167,7 +214,7 @@ struct Fit {
       const vec2 place(glm::dot(point, right), glm::dot(point, up));
       const float z = glm::dot(point, back);
       high = glm::max(high, place + z * tangents), low = glm::max(low, z * tangents - place);
-      nearest = std::max(nearest, z), farthest = std::max(farthest, -z);
+      nearest = std::max(nearest, z);
     }
     if (points.empty()) return;
     centre = 0.5f * (high - low);
@@ -205,7 +252,9 @@ Camera framing_camera(const Scene& scene, float aspect) {
   const vec3 position = box.centre() + fit.centre.x * fit.right + fit.centre.y * fit.up + distance * fit.back;
   camera.world_from_view = mat4(vec4(fit.right, 0), vec4(fit.up, 0), vec4(fit.back, 0), vec4(position, 1));
   camera.near = std::max(0.5f * (distance - fit.nearest), 1e-3f * distance);
-  camera.far = 1.5f * (distance + fit.farthest);
+  float farthest = 0.0f;  // also of ground that the picture need not hold
+  for (int k = 0; k < 8; ++k) farthest = std::max(farthest, -glm::dot(box.corner(k) - box.centre(), fit.back));
+  camera.far = 1.5f * (distance + farthest);
   return camera;
 }
 

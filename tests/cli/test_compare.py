@@ -135,8 +135,7 @@ class Compare(Case):
                 self.assertEqual(repeated[name][key], line[key], f"{name}: {key}")
 
     def test_the_example_of_the_document_has_the_keys_of_a_line(self):
-        text = FORMAT.read_text(encoding="utf-8")
-        example = json.loads(text[text.index("```json") + 7:text.index("```", text.index("```json") + 7)])
+        example = json.loads(FORMAT.read_text(encoding="utf-8").split("```json result\n")[1].split("```")[0])
         out = self.folder / "out"
         self.compare("courtyard", out, "--techniques", example["technique"])
         shown, real = key_paths(example), key_paths(read_lines(out)[example["technique"]])

@@ -186,6 +186,43 @@ TEST(Scene, FramingCameraFillsThePicture) {
   EXPECT_GT(framed_share(cube, {500, 3, -200}).y, 0.9f) << "and far away";
 }
 
+// Houses on 200 m of a ground that goes on to a horizon: as objects of their own, and all in one.
+TEST(Scene, FramingCameraLeavesOutAFarHorizon) {
+  const auto box_part = [](const vec3& centre, const vec3& size) {
+    MeshPart part;
+    for (int i = 0; i < 8; ++i) part.positions.push_back(centre + Box{-0.5f * size, 0.5f * size}.corner(i));
+    return part;
+  };
+  for (const bool apart : {true, false}) {
+    Scene scene;
+    scene.materials.emplace_back();
+    const auto add = [&](const MeshPart& part) {
+      if (apart || scene.meshes.empty())
+        scene.meshes.emplace_back(), scene.objects.emplace_back().mesh = static_cast<int>(scene.meshes.size()) - 1;
+      scene.meshes.back().parts.push_back(part);
+    };
+    add(box_part({0, 0, 0}, {4000, 0, 4000}));
+    std::vector<vec3> houses;
+    for (int x = -5; x <= 5; ++x) {
+      for (int z = -5; z <= 5; ++z) {
+        houses.push_back(vec3(20.0f * static_cast<float>(x) + 300.0f, 5.0f, 20.0f * static_cast<float>(z)));
+        add(box_part(houses.back(), vec3(10.0f)));
+      }
+    }
+    const Camera camera = framing_camera(scene, 1.0f);
+    const mat4 view_from_world = glm::inverse(camera.world_from_view);
+    float widest = 0.0f;
+    for (const vec3& house : houses) {
+      const vec3 p(view_from_world * vec4(house, 1.0f));
+      EXPECT_GT(-p.z, camera.near);
+      widest = std::max(widest, std::abs(p.x / p.z) / std::tan(camera.vertical_fov / 2));
+    }
+    EXPECT_GT(widest, 0.6f) << apart;
+    EXPECT_LT(widest, 1.0f) << apart;
+    EXPECT_GT(camera.far, 2500.0f) << "the ground is still there";
+  }
+}
+
 TEST(Scene, FramingCameraOfNothingIsValid) {
   Scene scene;
   scene.materials.emplace_back();

@@ -7,6 +7,9 @@ import signal
 import subprocess
 import time
 
+from Xlib import X
+from Xlib import display as xlib
+
 SCREEN = "1280x800x24"
 
 
@@ -62,7 +65,9 @@ class Display:
                 raise AssertionError("Xvfb ended at once; see display.log")
             # Its defaults: what the user has configured is not used.
             nothing = {"XDG_CONFIG_HOME": str(folder), "XDG_CACHE_HOME": str(folder), "XDG_DATA_HOME": str(folder)}
-            self._start(["openbox", "--sm-disable"], env=self.environment() | nothing)
+            manager = self._start(["openbox", "--sm-disable"], env=self.environment() | nothing)
+            # A window that is mapped while its manager starts may never hear that it is visible, which GLFW 3.3 waits for without end.
+            wait_for(self._is_managed, "the window manager", alive=[manager])
         except BaseException:
             self.close()
             raise
@@ -74,6 +79,14 @@ class Display:
         process = subprocess.Popen(command, stdout=self.log, stderr=self.log, preexec_fn=end_with_parent, **options)
         self.processes.append(process)
         return process
+
+    def _is_managed(self):
+        display = xlib.Display(self.name)
+        try:
+            manager = display.intern_atom("_NET_SUPPORTING_WM_CHECK")
+            return display.screen().root.get_full_property(manager, X.AnyPropertyType) is not None
+        finally:
+            display.close()
 
     def close(self):
         for process in reversed(self.processes):

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/log.h"
-#include "base/webp.h"
 #include "scene/parallel.h"
 #include "scene/texture_tools.h"
 
@@ -113,7 +112,7 @@ void GltfMaterials::decode_pictures() {
   Progress progress("reading textures of " + document_.name(), work.size());
   parallel_for(work.size(), progress, [&](size_t i) {
     const std::string name = fmt::format("{}: {}", document_.name(), work[i]->place);
-    work[i]->image = is_webp(work[i]->encoded) ? decode_webp(work[i]->encoded, name) : decode_image(work[i]->encoded, name);
+    work[i]->image = decode_image(work[i]->encoded, name);
     work[i]->encoded = {};
   });
   for (size_t i = 0; i < scene_.textures.size(); ++i) scene_.textures[i].image = pictures_.at(picture_of_texture_[i]).image;
