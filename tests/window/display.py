@@ -53,8 +53,9 @@ class Display:
         self.processes = []
         try:
             reading, writing = os.pipe()
-            # -r: a key that is held does not repeat itself, however slow the frames are.
-            server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", screen, "-nolisten", "tcp", "-r"]
+            # -r: a key that is held does not repeat itself, however slow the frames are. -noreset: the server does not begin anew when the
+            # last client leaves, which those that come just then do not survive.
+            server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", screen, "-nolisten", "tcp", "-r", "-noreset"]
             self._start(server, pass_fds=[writing])
             os.close(writing)
             with os.fdopen(reading) as numbers:
