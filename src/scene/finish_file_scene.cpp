@@ -38,8 +38,9 @@ void turn(Scene& scene, const mat4& turned_from_file) {
 void hint_at_other_up(const Scene& scene) {
   constexpr float k_thin = 0.25f, k_wide = 0.5f;
   const vec3 extent = scene.bounds().extent();
-  const bool thin_z = extent.z < k_thin * extent.y && extent.x > k_wide * extent.y;
-  const bool thin_x = extent.x < k_thin * extent.y && extent.z > k_wide * extent.y;
+  // A sheet has no inside that could stand on its back: it is a wall, or a test.
+  const bool thin_z = extent.z > 0.0f && extent.z < k_thin * extent.y && extent.x > k_wide * extent.y;
+  const bool thin_x = extent.x > 0.0f && extent.x < k_thin * extent.y && extent.z > k_wide * extent.y;
   if (!thin_z && !thin_x) return;
   log_info("{}: {:.3g} m high and only {:.3g} m {}: a wall, or a model whose {} axis points up; for that: --up {}",
            scene.source, extent.y, thin_z ? extent.z : extent.x, thin_z ? "deep" : "wide", thin_z ? "z" : "x",
