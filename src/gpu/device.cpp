@@ -4,21 +4,16 @@
 #include <vk_mem_alloc.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 #include "base/error.h"
 #include "base/log.h"
+#include "base/lower_case.h"
 #include "gpu/device_errors.h"
 #include "gpu/device_info.h"
 
 namespace gnomon {
 namespace {
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 int preference(const DeviceInfo& info) {
   static constexpr std::string_view k_order[] = {"discrete", "virtual", "integrated", "other", "cpu"};
@@ -44,7 +39,7 @@ size_t choose(const std::vector<DeviceInfo>& infos, const std::string& choice) {
     const auto [end, error] = std::from_chars(choice.data(), choice.data() + choice.size(), number);
     const bool is_number = !choice.empty() && error == std::errc() && end == choice.data() + choice.size();
     const bool named =
-        choice.empty() || (is_number ? number == i : lower(infos[i].name).find(lower(choice)) != std::string::npos);
+        choice.empty() || (is_number ? number == i : lower_case(infos[i].name).find(lower_case(choice)) != std::string::npos);
     if (named && infos[i].missing.empty()) fitting.push_back(i);
   }
   if (fitting.empty()) {
