@@ -144,6 +144,8 @@ uint32_t Bindless::add(Kind kind, VkImageView view) {
     fail("more than {} images of one kind are in use at once", binding.count);
   uint32_t index = slots.next;
   if (slots.free.empty()) {
+    // `remove` must not fail.
+    if (slots.free.capacity() <= slots.next) slots.free.reserve(2 * size_t{slots.next} + 16);
     ++slots.next;
   } else {
     index = slots.free.back();

@@ -30,7 +30,7 @@ class Bindless {
 
   enum class Kind : uint32_t { material, frame, storage };
   uint32_t add(Kind kind, VkImageView view);
-  void remove(Kind kind, uint32_t index) { slots_[static_cast<size_t>(kind)].free.push_back(index); }
+  void remove(Kind kind, uint32_t index) noexcept { slots_[static_cast<size_t>(kind)].free.push_back(index); }
 
  private:
   struct Slots {

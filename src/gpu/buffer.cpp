@@ -22,6 +22,7 @@ Buffer::Buffer(Device& device, std::string name, size_t bytes, BufferMemory memo
     allocation.flags = VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
   }
   VmaAllocationInfo result = {};
+  device.reserve_defer();
   const VkResult created = vmaCreateBuffer(device.allocator(), &info, &allocation, &buffer_, &allocation_, &result);
   if (created != VK_SUCCESS) {
     buffer_ = VK_NULL_HANDLE;

@@ -131,8 +131,8 @@ void Device::create_device(bool with_window) {
 
 Device::~Device() {
   vkDeviceWaitIdle(device_);
-  for (auto& destroy : held_) destroy();
-  for (auto& [value, destroy] : deferred_) destroy();
+  deferred_.release_held(submitted_);
+  deferred_.run_up_to(submitted_);
   vkDestroySemaphore(device_, timeline_, nullptr);
   pipelines_.reset();
   bindless_.reset();
@@ -184,28 +184,16 @@ void Device::wait_idle() {
   collect();
 }
 
-void Device::defer(std::function<void()> destroy) {
-  if (recordings_ > 0) {
-    held_.push_back(std::move(destroy));
-  } else {
-    deferred_.emplace_back(submitted_, std::move(destroy));
-  }
-}
-
 void Device::end_recording() {
   GNOMON_ASSERT(recordings_ > 0);
   if (--recordings_ > 0) return;
-  for (auto& destroy : held_) deferred_.emplace_back(submitted_, std::move(destroy));
-  held_.clear();
+  deferred_.release_held(submitted_);
 }
 
 void Device::collect() {
   uint64_t finished = 0;
   check_device(vkGetSemaphoreCounterValue(device_, timeline_, &finished), "vkGetSemaphoreCounterValue");
-  while (!deferred_.empty() && deferred_.front().first <= finished) {
-    deferred_.front().second();
-    deferred_.pop_front();
-  }
+  deferred_.run_up_to(finished);
 }
 
 void Device::check_validation() {

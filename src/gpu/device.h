@@ -1,13 +1,13 @@
 // The logical device and what belongs to it: queue, memory, bindless set, deferred destruction.
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "gpu/bindless.h"
+#include "gpu/deferred.h"
 #include "gpu/instance.h"
 #include "gpu/pipeline_pool.h"
 #include "gpu/vulkan.h"
@@ -97,8 +97,13 @@ class Device {
   }
   void end_recording();
 
+  // Who will call `defer` once reserves it while there is memory: letting go must not fail.
+  void reserve_defer() { deferred_.reserve(); }
   // Runs `destroy` once the GPU has finished everything submitted so far, and what is being recorded now.
-  void defer(std::function<void()> destroy);
+  template <class Call>
+  void defer(Call&& destroy) noexcept {
+    deferred_.add(submitted_, recordings_ > 0, std::forward<Call>(destroy));
+  }
 
   // Throws Error with what validation has said since the last call. No-op without validation.
   void check_validation();
@@ -133,8 +138,7 @@ class Device {
   std::unique_ptr<PipelinePool> pipelines_;
   VkSemaphore timeline_ = VK_NULL_HANDLE;
   uint64_t submitted_ = 0;
-  std::deque<std::pair<uint64_t, std::function<void()>>> deferred_;
-  std::vector<std::function<void()>> held_;  // until the open recordings are submitted
+  DeferredDestruction deferred_;  // `held`: until the open recordings are submitted
   int recordings_ = 0;
   std::string last_pass_ = "none";
   uint64_t allocated_bytes_ = 0;

@@ -45,6 +45,7 @@ Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(in
   VmaAllocationCreateInfo allocation = {};
   allocation.usage = VMA_MEMORY_USAGE_AUTO_PREFER_DEVICE;
   VmaAllocationInfo result = {};
+  device.reserve_defer();
   const VkResult created = vmaCreateImage(device.allocator(), &create, &allocation, &image_, &allocation_, &result);
   if (created != VK_SUCCESS) {
     image_ = VK_NULL_HANDLE;
@@ -89,6 +90,7 @@ void Image::create_views() {
   const auto sampled_kind = info_.material ? Bindless::Kind::material : Bindless::Kind::frame;
   if (info_.usage & VK_IMAGE_USAGE_SAMPLED_BIT) sampled_ = device_->bindless().add(sampled_kind, view_);
   if (info_.usage & VK_IMAGE_USAGE_STORAGE_BIT) {
+    storages_.reserve(info_.mips);
     for (uint32_t mip = 0; mip < info_.mips; ++mip) {
       storages_.push_back(device_->bindless().add(Bindless::Kind::storage, make(whole, mip, 0, info_.layers)));
     }
@@ -98,8 +100,8 @@ void Image::create_views() {
 void Image::release() noexcept {
   if (!image_) return;
   device_->note_allocation(-static_cast<int64_t>(bytes_));
-  device_->defer([device = device_, image = image_, allocation = allocation_, view = view_, part_views = part_views_,
-                  sampled = sampled_, storages = storages_,
+  device_->defer([device = device_, image = image_, allocation = allocation_, view = view_, part_views = std::move(part_views_),
+                  sampled = sampled_, storages = std::move(storages_),
                   sampled_kind = info_.material ? Bindless::Kind::material : Bindless::Kind::frame] {
     if (sampled != k_no_index) device->bindless().remove(sampled_kind, sampled);
     for (const uint32_t storage : storages) device->bindless().remove(Bindless::Kind::storage, storage);

@@ -90,6 +90,11 @@ struct Stage {
   std::vector<uint32_t> words;
 };
 
+Pipeline named(Pipeline pipeline, const Device& device, const std::string& name) {
+  device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.handle()), name);
+  return pipeline;
+}
+
 uint32_t align_up(uint32_t value, uint32_t alignment) { return (value + alignment - 1) / alignment * alignment; }
 
 }  // namespace
@@ -121,10 +126,10 @@ Pipeline make_compute_pipeline(Device& device, std::string_view shader, const Sp
   info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT, &specialisation.info);
   info.layout = device.pipeline_layout();
   VkPipeline pipeline = VK_NULL_HANDLE;
+  device.reserve_defer();
   vk_check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
            fmt::format("vkCreateComputePipelines({})", shader));
-  device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), std::string(shader));
-  return {device, pipeline, VK_PIPELINE_BIND_POINT_COMPUTE, std::move(recipe)};
+  return named({device, pipeline, VK_PIPELINE_BIND_POINT_COMPUTE, std::move(recipe)}, device, std::string(shader));
 }
 
 Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info) {
@@ -214,11 +219,11 @@ Pipeline make_graphics_pipeline(Device& device, const GraphicsPipelineInfo& info
   create.pDynamicState = &dynamic;
   create.layout = device.pipeline_layout();
   VkPipeline pipeline = VK_NULL_HANDLE;
+  device.reserve_defer();
   const std::string name = info.vertex + (info.fragment.empty() ? "" : " + " + info.fragment);
   vk_check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
            fmt::format("vkCreateGraphicsPipelines({})", name));
-  device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), name);
-  return {device, pipeline, VK_PIPELINE_BIND_POINT_GRAPHICS, std::move(recipe)};
+  return named({device, pipeline, VK_PIPELINE_BIND_POINT_GRAPHICS, std::move(recipe)}, device, name);
 }
 
 RayPipeline::RayPipeline(Device& device, std::string_view raygen, std::string_view miss, std::string_view any_hit,
@@ -252,11 +257,11 @@ RayPipeline::RayPipeline(Device& device, std::string_view raygen, std::string_vi
   info.maxPipelineRayRecursionDepth = 1;
   info.layout = device.pipeline_layout();
   VkPipeline pipeline = VK_NULL_HANDLE;
+  device.reserve_defer();
   const auto& functions = device.ray_tracing();
   vk_check(functions.create_pipelines(device.handle(), VK_NULL_HANDLE, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
            fmt::format("vkCreateRayTracingPipelinesKHR({})", raygen));
-  device.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), std::string(raygen));
-  pipeline_ = {device, pipeline, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR, {}};
+  pipeline_ = named({device, pipeline, VK_PIPELINE_BIND_POINT_RAY_TRACING_KHR, {}}, device, std::string(raygen));
 
   // One record per region, each region at the base alignment.
   const uint32_t handle = limits.shader_group_handle_size;

@@ -10,6 +10,8 @@ constexpr size_t k_most = 512;  // more than all techniques of one sample count 
 
 }  // namespace
 
+PipelinePool::PipelinePool(VkDevice device) : device_(device) { idle_.reserve(k_most + 1); }
+
 PipelinePool::~PipelinePool() {
   for (const Idle& idle : idle_) vkDestroyPipeline(device_, idle.pipeline, nullptr);
 }
@@ -22,12 +24,12 @@ VkPipeline PipelinePool::take(const PipelineRecipe& recipe) {
   return pipeline;
 }
 
-VkPipeline PipelinePool::keep(PipelineRecipe recipe, VkPipeline pipeline) {
+VkPipeline PipelinePool::keep(PipelineRecipe recipe, VkPipeline pipeline) noexcept {
   if (recipe.empty()) return pipeline;
-  idle_.push_front({std::move(recipe), pipeline});
+  idle_.push_back({std::move(recipe), pipeline});
   if (idle_.size() <= k_most) return VK_NULL_HANDLE;
-  const VkPipeline oldest = idle_.back().pipeline;
-  idle_.pop_back();
+  const VkPipeline oldest = idle_.front().pipeline;
+  idle_.erase(idle_.begin());
   return oldest;
 }
 

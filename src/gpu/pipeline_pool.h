@@ -2,8 +2,8 @@
 // a CPU driver a tenth of a second, and most of what a new technique is made of another one had before it.
 #pragma once
 
-#include <list>
 #include <string>
+#include <vector>
 
 #include "gpu/vulkan.h"
 
@@ -14,7 +14,7 @@ using PipelineRecipe = std::string;
 
 class PipelinePool {
  public:
-  explicit PipelinePool(VkDevice device) : device_(device) {}
+  explicit PipelinePool(VkDevice device);
   ~PipelinePool();
   PipelinePool(const PipelinePool&) = delete;
   PipelinePool& operator=(const PipelinePool&) = delete;
@@ -22,7 +22,7 @@ class PipelinePool {
   // VK_NULL_HANDLE when it has none.
   VkPipeline take(const PipelineRecipe& recipe);
   // The GPU may still use it. Returns one that is to be destroyed for it, or VK_NULL_HANDLE.
-  VkPipeline keep(PipelineRecipe recipe, VkPipeline pipeline);
+  VkPipeline keep(PipelineRecipe recipe, VkPipeline pipeline) noexcept;
 
  private:
   struct Idle {
@@ -30,7 +30,7 @@ class PipelinePool {
     VkPipeline pipeline;
   };
   VkDevice device_;
-  std::list<Idle> idle_;  // the latest first
+  std::vector<Idle> idle_;  // the oldest first; never grows beyond what the constructor reserves
 };
 
 }  // namespace gnomon

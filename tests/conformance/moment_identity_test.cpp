@@ -242,6 +242,23 @@ TEST(MomentIdentity, SlopesMeetWithoutASeam) {
   }
 }
 
+// Within one texel a plane's depth varies by a quarter of its squared slopes (Lauritzen, GPU Gems 3, 2007, chapter 8).
+TEST(MomentIdentity, APlaneHasTheVarianceOfItsSlope) {
+  constexpr uint32_t k_side = 64;
+  constexpr double k_across = 0.004, k_down = -0.003;  // a texel
+  DepthMap map = {k_side, std::vector<float>(k_side * k_side)};
+  for (uint32_t y = 0; y < k_side; ++y) {
+    for (uint32_t x = 0; x < k_side; ++x) map.texels[y * k_side + x] = static_cast<float>(0.5 + k_across * x + k_down * y);
+  }
+  const auto found = converted<float>("vsm", map, 2, {{"blur", 0}, {"slope_term", 1.0}, {"mips", 0.0}});
+  for (uint32_t y = 2; y < k_side - 2; ++y) {
+    for (uint32_t x = 2; x < k_side - 2; ++x) {
+      const double depth = found[2 * (y * k_side + x)], square = found[2 * (y * k_side + x) + 1];
+      ASSERT_NEAR(square - depth * depth, 0.25 * (k_across * k_across + k_down * k_down), 3e-7) << x << ", " << y;
+    }
+  }
+}
+
 TEST(MomentIdentity, LogSpaceBlurHoldsForExponentsThatNoFloatHolds) {
   const DepthMap map = random_map(k_size);
   const auto found = converted<float>("esm", map, 1, {{"unit", 0.0}, {"blur", 2.0}, {"c", 5000.0}});
@@ -510,6 +527,44 @@ TEST(MomentIdentity, EvsmBecomesVsmAsItsExponentsVanish) {
     last = difference;
   }
   EXPECT_LT(last, 0.002);
+}
+
+// Chebyshev's bound under a plate, whose own depth does not vary: s^2 / (s^2 + gap^2), s the least deviation in centimetres.
+TEST(MomentIdentity, LeastVarianceIsInCentimetres) {
+  constexpr float k_gap = 0.1f;
+  Scene scene = test::scene_with({test::floor_part(3.0f), test::box_part({-2, k_gap, -2}, {2, k_gap + 1.0f, 2})});
+  scene.cameras.push_back(look_at("under", {0, 0.05f, 5}, {0, 0, 0}, 20.0));
+  scene.lights.push_back(test::make_sun({0, -1, 0}));
+  // The caster's top is what a map holds: as thin as a sheet.
+  scene.objects[1].world_from_object = glm::translate(mat4(1.0f), vec3(0, k_gap, 0)) *
+                                       glm::scale(mat4(1.0f), vec3(1, 1e-4f, 1)) *
+                                       glm::translate(mat4(1.0f), vec3(0, -k_gap, 0));
+  View view(std::move(scene), {64, 48});
+  for (const double deviation_cm : {2.0, 5.0, 10.0}) {
+    const double s = 0.01 * deviation_cm, expected = s * s / (s * s + double(k_gap) * double(k_gap));
+    const std::pair<std::string, std::string> techniques[] = {{"vsm", "blur=0"}, {"savsm", "width=1"}};
+    for (const auto& [filter, width] : techniques) {
+      std::vector<std::string> settings = {filter + "." + width, filter + ".bleeding=0",
+                                           fmt::format("{}.min_variance={}", filter, deviation_cm)};
+      if (filter == "vsm") settings.insert(settings.end(), {"vsm.slope_term=false", "vsm.mips=false"});
+      const auto& spec = find_technique("single/" + filter);
+      SettingsMap map = test::settings_of(spec, {"bias.constant=0", "bias.slope=0", "bias.normal_offset=0", "single.size=256"});
+      for (const std::string& text : settings) {
+        const size_t equals = text.find('=');
+        map.find(filter)->second.set(text.substr(filter.size() + 1, equals - filter.size() - 1), text.substr(equals + 1), text);
+      }
+      const auto mask = test::run_technique(view, spec, map).mask;
+      const auto points = view.frame().read_points();
+      size_t under = 0;
+      for (size_t i = 0; i < mask.size(); ++i) {
+        const vec3 at = points[i].position_ws;
+        if (points[i].object != 0 || std::abs(at.x) > 1.5f || std::abs(at.z) > 1.5f) continue;
+        ++under;
+        EXPECT_NEAR(double(mask[i]), expected, 0.02 + 0.05 * expected) << filter << ", " << deviation_cm << " cm";
+      }
+      EXPECT_GT(under, 20u);
+    }
+  }
 }
 
 TEST(MomentIdentity, SummedAreaOfOneTexelIsAnUnblurredVsm) {

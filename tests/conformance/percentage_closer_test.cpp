@@ -198,8 +198,10 @@ TEST(PercentageCloser, ATentFallsLinearlyAcrossAnEdge) {
 
 // A floor and a box above it that are parts of one object, or two.
 TEST(ObjectId, PartsOfOneObjectShadowEachOtherWhenAskedFor) {
-  Scene scene = test::scene_with({});
-  const std::vector<MeshPart> parts = {test::floor_part(4.0f), test::box_part({-1, 0.5f, -1}, {1, 1, 1})};
+  // Numbers of objects and of items (an object's parts) must not be the same by chance: one object comes before, the caster
+  // first.
+  Scene scene = test::scene_with({test::box_part({-4, 0, -4}, {-3.9f, 0.1f, -3.9f})});
+  const std::vector<MeshPart> parts = {test::box_part({-1, 0.5f, -1}, {1, 1, 1}), test::floor_part(4.0f)};
   add_object(scene, "both", add_mesh(scene, "both", parts));
   scene.cameras.push_back(look_at("beside", {3, 3, 3}, {0, 0, 0}, 50.0));
   scene.lights.push_back(test::make_sun({0, -1, 0}));

@@ -249,6 +249,7 @@ TEST(SampleDistribution, OneSplitIsNoWorseThanOneMapOfTheView) {
   const double four = measure(courtyard(), "sample_distribution/hard", {"sample_distribution.size=512"}).mae;
   fmt::print("courtyard, 512: single {:.5f}, one split {:.5f} (of the view: {:.5f}), four splits {:.5f}\n", single, one, loose,
              four);
+  EXPECT_LT(single, 0.08) << "what the camera sees is in the map";
   EXPECT_LE(one, single);
   EXPECT_LE(loose, 1.1 * single);
   EXPECT_LT(four, 0.7 * one);
@@ -285,6 +286,64 @@ TEST(Projection, LightsFromEverywhere) {
       // The trapezoid gives the foreground its share whether or not the shadows are there.
       EXPECT_LT(mae, (technique == "trapezoidal/hard" ? 1.6 : 1.2) * single + 0.002)
           << technique << ", elevation " << elevation << ", azimuth " << azimuth;
+    }
+  }
+}
+
+// What stands between the inner and the outer angle of a cone casts as what stands before the light does.
+TEST(Projection, ShadowsReachTheRimOfACone) {
+  std::vector<MeshPart> parts = {test::floor_part(8.0f)};
+  for (const vec3& at : {vec3(3.4f, 0.8f, 0), vec3(-3.4f, 0.8f, 0), vec3(0, 0.8f, 3.4f), vec3(0, 0.8f, -3.4f)})
+    parts.push_back(test::box_part(at - vec3(0.3f), at + vec3(0.3f)));
+  Scene scene = test::scene_with(std::move(parts));
+  scene.cameras.push_back(look_at("above", {0, 14, 0.01f}, {0, 0, 0}, 50.0));
+  Light spot = test::make_light(LightKind::spot, {0, -1, 0}, {0, 0, 0}, 4.0f);
+  spot.inner_cone = 0.2f, spot.outer_cone = 0.95f;
+  scene.lights.push_back(spot);
+  View view(std::move(scene), {120, 120});
+  const ReferenceResult& truth = test::hard_reference(view);
+  size_t shadowed = 0;
+  for (size_t i = 0; i < truth.visibility.size(); ++i) shadowed += truth.receiver[i] && truth.visibility[i] == 0.0f;
+  ASSERT_GT(shadowed, 100u);
+  for (const auto& spec : all_techniques()) {
+    if (!spec.name.ends_with("/hard") || !spec.supports(LightKind::spot)) continue;
+    const auto mask = test::run_technique(view, spec, spec.default_settings()).mask;
+    size_t lost = 0;
+    for (size_t i = 0; i < mask.size(); ++i) lost += truth.receiver[i] && truth.visibility[i] == 0.0f && mask[i] > 0.5f;
+    EXPECT_LT(lost, shadowed / 20) << spec.name;
+  }
+}
+
+// Sheets, one turned to the light and one away from it: culling of the faces that the light sees leaves the other one.
+TEST(Projection, FacesTowardTheLightAreLeftOutWhereThatIsAskedFor) {
+  for (const LightKind kind : {LightKind::directional, LightKind::point, LightKind::spot}) {
+    MeshPart toward = part_of(0), away = part_of(0);
+    add_quad(toward, {-2, 1, 0.5f}, {-1, 1, 0.5f}, {-1, 1, -0.5f}, {-2, 1, -0.5f}, {0, 0}, {1, 1});
+    add_quad(away, {1, 1, -0.5f}, {2, 1, -0.5f}, {2, 1, 0.5f}, {1, 1, 0.5f}, {0, 0}, {1, 1});
+    Scene scene = test::scene_with({test::floor_part(4.0f), toward, away});
+    scene.cameras.push_back(look_at("beside", {0, 2.5f, 7}, {0, 0, 0}, 45.0));
+    scene.lights.push_back(test::make_light(kind, {0, -1, 0}, {0, 0, 0}, 5.0f));
+    View view(std::move(scene), {96, 64});
+    view.draw();
+    const auto points = view.frame().read_points();
+    for (const auto& spec : all_techniques()) {
+      if (!spec.name.ends_with("/hard") || !spec.supports(kind)) continue;
+      for (const bool culls : {false, true}) {
+        const auto mask =
+            test::run_technique(
+                view, spec, test::settings_of(spec, {culls ? "bias.front_face_culling=true" : "bias.front_face_culling=false"}))
+                .mask;
+        size_t seen[2] = {}, dark[2] = {};  // under the sheet that is turned to the light, and under the other
+        for (size_t i = 0; i < mask.size(); ++i) {
+          const vec3 at = points[i].position_ws;
+          const float x = std::abs(at.x);
+          if (points[i].object != 0 || x < 1.25f || x > 1.75f || std::abs(at.z) > 0.3f) continue;
+          ++seen[at.x > 0.0f], dark[at.x > 0.0f] += mask[i] < 0.5f;
+        }
+        ASSERT_TRUE(seen[0] > 3 && seen[1] > 3);
+        EXPECT_EQ(dark[0], culls ? 0 : seen[0]) << spec.name << ", turned to the light, culled: " << culls;
+        EXPECT_EQ(dark[1], seen[1]) << spec.name << ", turned away, culled: " << culls;
+      }
     }
   }
 }

@@ -115,6 +115,8 @@ TEST(ReferenceAgreement, RayTracedIsExactlyThePipelineReference) {
       // Samples that share an answer took their leader's: the reference traces each for itself.
       const size_t s = i % samples;
       const bool leads = ((shares[i / samples] >> (4 * s)) & 15u) == s;
+      const size_t leader = i - s + ((shares[i / samples] >> (4 * s)) & 15u);
+      EXPECT_EQ(mask[i], mask[leader]) << "sample " << i;
       if (!reference.receiver[i] || !leads) continue;
       ++compared;
       different += mask[i] != reference.visibility[i];

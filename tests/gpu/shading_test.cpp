@@ -74,6 +74,34 @@ TEST(Shading, IsAmbientPlusVisibilityTimesLambert) {
   }
 }
 
+// KHR_lights_punctual: within its range the light of a lamp falls by max(min(1 - (d / range)^4, 1), 0) / d^2.
+TEST(Shading, LightFallsWithTheDistanceAsGltfSays) {
+  constexpr double k_range = 6.0, k_candela = 50.0;
+  Scene scene = test::scene_with({test::floor_part(50.0f)});
+  scene.materials[0].base_colour = vec4(1.0f);
+  scene.cameras.push_back(look_at("down", {0, 9, 0.01f}, {0, 0, 0}, 60.0));
+  Light lamp;
+  lamp.kind = LightKind::point;
+  lamp.position = vec3(0, 2, 0);
+  lamp.intensity = static_cast<float>(k_candela);
+  lamp.range = static_cast<float>(k_range);
+  scene.lights.push_back(lamp);
+  View view(scene);
+  const ImageF lit = shaded(view, 1.0f), dark = shaded(view, 0.0f);
+  const auto points = view.frame().read_points();
+  size_t within = 0, beyond = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const dvec3 to_light = dvec3(lamp.position) - dvec3(points[i].position_ws);
+    const double distance = glm::length(to_light), share = distance / k_range;
+    const double expected =
+        k_candela * std::max(1.0 - std::pow(share, 4.0), 0.0) / (distance * distance) * (to_light.y / distance) / double(k_pi);
+    EXPECT_NEAR(rgb(lit, i).x - rgb(dark, i).x, expected, 2e-3 * expected + 1e-5) << "at " << distance << " m";
+    ++(share < 1.0 ? within : beyond);
+  }
+  EXPECT_GT(within, 500u);
+  EXPECT_GT(beyond, 100u);
+}
+
 double display_value(double c) {
   c = std::clamp((c * (2.51 * c + 0.03)) / (c * (2.43 * c + 0.59) + 0.14), 0.0, 1.0);  // Narkowicz 2015
   return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;

@@ -211,12 +211,20 @@ TEST(Surface, SamplesOfOneSurfaceShareAndEdgesDoNot) {
 }
 
 TEST(Surface, ACreaseDoesNotShare) {
-  // Two faces of one box meet in the middle of the picture: same item, different planes.
-  Scene scene = test::scene_with({test::box_part({-1, -1, -1}, {1, 1, 1})});
-  scene.cameras.push_back(look_at("corner", {3.1f, 1.4f, 2.2f}, {0, 0, 0}, 40.0));
-  scene.lights.push_back(test::make_sun({0, -1, -1}));
+  // Two faces of one item meet in the middle of the picture: at a right angle, and at a tenth of one.
+  MeshPart roof = part_of(0);
+  const float drop = std::tan(0.5f * 0.1f * k_pi / 2.0f);
+  add_quad(roof, {-1, -drop, 1}, {0, 0, 1}, {0, 0, -1}, {-1, -drop, -1}, {0, 0}, {1, 1});
+  add_quad(roof, {0, 0, 1}, {1, -drop, 1}, {1, -drop, -1}, {0, 0, -1}, {0, 0}, {1, 1});
+  Scene box = test::scene_with({test::box_part({-1, -1, -1}, {1, 1, 1})}), low_roof = test::scene_with({roof});
+  box.cameras.push_back(look_at("corner", {3.1f, 1.4f, 2.2f}, {0, 0, 0}, 40.0));
+  low_roof.cameras.push_back(look_at("ridge", {0.7f, 3.1f, 1.9f}, {0, 0, 0}, 40.0));
+  std::vector<std::pair<Scene, uint32_t>> cases;
   for (const uint32_t samples : offered_samples()) {
-    if (samples == 1) continue;
+    if (samples > 1) cases.insert(cases.end(), {{box, samples}, {low_roof, samples}});
+  }
+  for (auto& [scene, samples] : cases) {
+    scene.lights.push_back(test::make_sun({0, -1, -1}));
     View view(scene, k_size, samples);
     view.draw();
     const auto normals = test::read_surface<uint32_t>(view, "surface normal");

@@ -3,45 +3,18 @@
 
 #include <chrono>
 #include <cstring>
-#include <exception>
 #include <map>
 
 #include "base/error.h"
 #include "gpu/recorder.h"
 
 namespace gnomon {
-namespace {
-
-void destroy_later(Device& device, VkAccelerationStructureKHR handle) {
-  if (!handle) return;
-  device.defer([device = device.handle(), function = device.ray_tracing().destroy_acceleration_structure, handle] {
-    function(device, handle, nullptr);
-  });
-}
-
-// Runs on the way out of a scope that an exception leaves: no destructor runs for an object that was not made.
-template <class Undo>
-struct OnFailure {
-  Undo undo;
-  int exceptions = std::uncaught_exceptions();
-  ~OnFailure() {
-    if (std::uncaught_exceptions() > exceptions) undo();
-  }
-};
-template <class Undo>
-OnFailure(Undo) -> OnFailure<Undo>;
-
-}  // namespace
-
 RayPipeline make_visibility_pipeline(Device& device, std::string_view raygen) {
   return RayPipeline(device, raygen, "frame/rays/visibility.rmiss", "frame/rays/visibility.rahit");
 }
 
 AccelerationStructure::AccelerationStructure(Device& device, const GpuScene& scene) : device_(device) {
   if (!device.info().ray_tracing) fail_device("'{}' has no ray-tracing pipeline", device.info().name);
-  const OnFailure clean_up{[this] {
-    for (Level& level : bottom_) destroy_later(device_, level.handle);
-  }};
   const auto start = std::chrono::steady_clock::now();
   std::map<uint32_t, uint64_t> address_of_part;  // by first index: instances share their part's structure
   const auto set_transform = [](VkTransformMatrixKHR& transform, const vec4& x, const vec4& y, const vec4& z) {
@@ -123,7 +96,7 @@ AccelerationStructure::Level AccelerationStructure::build(const VkAccelerationSt
   VkAccelerationStructureBuildSizesInfoKHR sizes = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_SIZES_INFO_KHR};
   functions.build_sizes(device_.handle(), VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR, &info, &primitives, &sizes);
 
-  Level level;
+  Level level(device_);
   level.storage = Buffer(device_, std::string("acceleration structure of ") + name, sizes.accelerationStructureSize,
                          BufferMemory::device, VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR);
   bytes_ += sizes.accelerationStructureSize;
@@ -131,9 +104,9 @@ AccelerationStructure::Level AccelerationStructure::build(const VkAccelerationSt
   create.buffer = level.storage.handle();
   create.size = sizes.accelerationStructureSize;
   create.type = type;
+  device_.reserve_defer();
   vk_check(functions.create_acceleration_structure(device_.handle(), &create, nullptr, &level.handle),
            "vkCreateAccelerationStructureKHR");
-  const OnFailure clean_up{[&] { destroy_later(device_, level.handle); }};
 
   const uint64_t alignment = std::max<uint64_t>(device_.info().scratch_alignment, 1);
   const Buffer scratch(device_, "build scratch", sizes.buildScratchSize + alignment);
@@ -150,9 +123,18 @@ AccelerationStructure::Level AccelerationStructure::build(const VkAccelerationSt
   return level;
 }
 
-AccelerationStructure::~AccelerationStructure() {
-  destroy_later(device_, top_.handle);
-  for (Level& level : bottom_) destroy_later(device_, level.handle);
+AccelerationStructure::Level::~Level() {
+  if (!handle) return;
+  device->defer([owner = device->handle(), destroy = device->ray_tracing().destroy_acceleration_structure, gone = handle] {
+    destroy(owner, gone, nullptr);
+  });
+}
+
+void AccelerationStructure::Level::swap(Level& other) noexcept {
+  std::swap(device, other.device);
+  std::swap(handle, other.handle);
+  std::swap(storage, other.storage);
+  std::swap(address, other.address);
 }
 
 }  // namespace gnomon

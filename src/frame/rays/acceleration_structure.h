@@ -11,7 +11,6 @@ class AccelerationStructure {
   // One bottom level per mesh part, one instance per casting item. Throws Error (device) where the device cannot trace rays,
   // failure when the scene has no caster: an empty structure would make everything look lit.
   AccelerationStructure(Device& device, const GpuScene& scene);
-  ~AccelerationStructure();
   AccelerationStructure(const AccelerationStructure&) = delete;
   AccelerationStructure& operator=(const AccelerationStructure&) = delete;
 
@@ -22,6 +21,17 @@ class AccelerationStructure {
 
  private:
   struct Level {
+    Level() = default;
+    explicit Level(Device& owner) : device(&owner) {}
+    ~Level();
+    Level(Level&& other) noexcept { swap(other); }
+    Level& operator=(Level&& other) noexcept {
+      Level(std::move(other)).swap(*this);
+      return *this;
+    }
+    void swap(Level& other) noexcept;
+
+    Device* device = nullptr;
     VkAccelerationStructureKHR handle = VK_NULL_HANDLE;
     Buffer storage;
     uint64_t address = 0;

@@ -32,6 +32,7 @@ void Canvas::resize(uvec2 size, VkRenderPass render_pass) {
   info.pAttachments = &view;
   info.width = size.x, info.height = size.y;
   info.layers = 1;
+  device_.reserve_defer();
   vk_check(vkCreateFramebuffer(device_.handle(), &info, nullptr, &framebuffer_), "vkCreateFramebuffer");
 }
 
