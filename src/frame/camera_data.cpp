@@ -3,7 +3,7 @@
 
 namespace gnomon {
 
-CameraData camera_data(const Camera& camera, uvec2 size, uint32_t samples) {
+CameraData camera_data(const Camera& camera, uvec2 size, uint32_t samples, vec2 subpixel) {
   const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
   const mat4& pose = camera.world_from_view;
   CameraData data = {};
@@ -14,6 +14,7 @@ CameraData camera_data(const Camera& camera, uvec2 size, uint32_t samples) {
   data.far_m = camera.far;
   data.size = size;
   data.samples = samples;
+  data.subpixel = subpixel;
   data.orthographic = camera.orthographic;
 
   mat4 clip_from_view(0.0f);
@@ -36,7 +37,10 @@ CameraData camera_data(const Camera& camera, uvec2 size, uint32_t samples) {
     clip_from_view[2][3] = -1.0f;
   }
   mat4 rigid(vec4(right, 0.0f), vec4(up, 0.0f), vec4(-data.forward_ws, 0.0f), vec4(data.eye_ws, 1.0f));
-  data.clip_from_world = clip_from_view * glm::inverse(rigid);
+  // The rasteriser samples where it always does: the picture moves the other way.
+  const vec2 shift = -2.0f * subpixel / vec2(size);
+  const mat4 shifted = glm::translate(mat4(1.0f), vec3(shift, 0.0f));
+  data.clip_from_world = shifted * clip_from_view * glm::inverse(rigid);
   return data;
 }
 

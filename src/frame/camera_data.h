@@ -9,7 +9,8 @@
 namespace gnomon {
 
 // Reversed Z, infinite far plane for perspective: depth = near / z keeps its relative precision at every distance.
-CameraData camera_data(const Camera& camera, uvec2 size, uint32_t samples);
+// subpixel: CameraData::subpixel.
+CameraData camera_data(const Camera& camera, uvec2 size, uint32_t samples, vec2 subpixel = vec2(0.0f));
 
 // World-space corners of the part of the view between two distances along the viewing axis (metres): four at `from`, four at
 // `to`.

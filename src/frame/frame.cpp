@@ -104,8 +104,8 @@ void Frame::resize(uvec2 size) {
   }
 }
 
-void Frame::set_camera(const Camera& camera) {
-  data_.camera = camera_data(camera, size_, samples_);
+void Frame::set_camera(const Camera& camera, vec2 subpixel) {
+  data_.camera = camera_data(camera, size_, samples_, subpixel);
   fill_frame_data();
 }
 
@@ -268,6 +268,16 @@ std::vector<uint32_t> Frame::read_leaders() const {
 std::vector<SurfacePoint> Frame::read_points() const {
   const Buffer points = make_points();
   return read_back_as<SurfacePoint>(device_, points, sample_count());
+}
+
+std::vector<SurfaceSample> Frame::read_surface() const {
+  const auto points = read_points();
+  const auto z = read_back_as<float>(device_, view_z_, sample_count());
+  const auto item = read_back_as<uint32_t>(device_, item_, sample_count()),
+             primitive = read_back_as<uint32_t>(device_, primitive_, sample_count());
+  std::vector<SurfaceSample> surface(sample_count());
+  for (size_t i = 0; i < surface.size(); ++i) surface[i] = {z[i], points[i].geometric_normal_ws, item[i], primitive[i]};
+  return surface;
 }
 
 }  // namespace gnomon

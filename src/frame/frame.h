@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/glsl/same_surface.glsl"
 #include "base/image.h"
 #include "base/params.h"
 #include "frame/camera_data.h"
@@ -30,7 +31,8 @@ class Frame {
   void resize(uvec2 size);
 
   // What techniques read: valid between set_camera and the next one.
-  void set_camera(const Camera& camera);
+  // subpixel: CameraData::subpixel.
+  void set_camera(const Camera& camera, vec2 subpixel = vec2(0.0f));
   // The same lights at other places, or of other strength: as many as before, and of the same kinds. The exposure stays that of
   // the first lights, so that an evening gets dark.
   void set_lights(std::span<const Light> lights);
@@ -73,6 +75,7 @@ class Frame {
   // Per sample: the index of the sample whose answer it shares (its own where it leads its surface).
   std::vector<uint32_t> read_leaders() const;
   std::vector<SurfacePoint> read_points() const;
+  std::vector<SurfaceSample> read_surface() const;  // of the same samples
   // The same points for the GPU's reference.
   Buffer make_points() const;
 

@@ -162,7 +162,7 @@ void check_line(const json& line, const ResultOrigin& origin) {
   if (!line.is_object()) fail("{}: not a result; valid: one JSON object a line", where);
   check_required(line, where);
   check_optional(line, k_optional, "", where);
-  for (const char* parent : {"/visibility/hard", "/visibility/area"}) {
+  for (const char* parent : {"/visibility/pixel", "/visibility/area", "/visibility/hard"}) {
     const json* value = find(line, parent);
     if (!value || value->is_null()) continue;
     if (!value->is_object()) fail("{}: '{}' is {}; valid: an object", where, dotted(parent), value->dump());

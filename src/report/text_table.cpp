@@ -1,6 +1,8 @@
 // The aligned table for a terminal: one block per group, columns that nothing fills are left out.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "base/error.h"
 #include "base/visible_text.h"
@@ -13,22 +15,39 @@ namespace {
 using nlohmann::json;
 
 struct Column {
-  const char* title;
-  const char* pointer;
+  std::string title, pointer;
   double scale;
   enum Style { error, percent, time, mebibytes } style;
 };
 
-constexpr Column k_columns[] = {
-    {"mae", "/visibility/hard/mae", 1, Column::error},
-    {"false shadow %", "/visibility/hard/false_shadow/area", 100, Column::percent},
-    {"false light %", "/visibility/hard/false_light/area", 100, Column::percent},
-    {"area mae", "/visibility/area/mae", 1, Column::error},
-    {"build ms", "/gpu_ms/build", 1, Column::time},
-    {"resolve ms", "/gpu_ms/resolve", 1, Column::time},
-    {"total ms", "/gpu_ms/total", 1, Column::time},
-    {"MiB", "/memory_bytes", 1.0 / (1 << 20), Column::mebibytes},
-};
+// The truth that a table goes by: all its groups must have it.
+std::string truth_of(std::span<const json> results, const std::string& wanted) {
+  const auto measured = [&](const std::string& truth) {
+    return std::any_of(results.begin(), results.end(),
+                       [&](const json& line) { return number_at(line, ("/visibility/" + truth + "/mae").c_str()).has_value(); });
+  };
+  if (measured(wanted)) return wanted;
+  for (const char* truth : k_truth_names) {
+    if (measured(truth)) return truth;
+  }
+  return wanted;
+}
+
+// The scores by the truth that counts, then what the others say; columns of other truths that nothing fills are left out.
+std::vector<Column> columns_of(std::span<const json> results, const std::string& truth) {
+  const std::string scores = "/visibility/" + truth;
+  std::vector<Column> columns = {{truth + " mae", scores + "/mae", 1, Column::error},
+                                 {"false shadow %", scores + "/false_shadow/area", 100, Column::percent},
+                                 {"false light %", scores + "/false_light/area", 100, Column::percent}};
+  for (const std::string other : k_truth_names) {
+    const std::string pointer = "/visibility/" + other + "/mae";
+    if (other != truth && truth_of(results, other) == other) columns.push_back({other + " mae", pointer, 1, Column::error});
+  }
+  for (const char* stage : {"build", "resolve", "total"})
+    columns.push_back({std::string(stage) + " ms", std::string("/gpu_ms/") + stage, 1, Column::time});
+  columns.push_back({"MiB", "/memory_bytes", 1.0 / (1 << 20), Column::mebibytes});
+  return columns;
+}
 
 size_t width_of(const std::string& text) {
   return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -40,12 +59,12 @@ int digits_of(const Column& column, std::span<const json> lines) {
   if (column.style == Column::percent) return 2;
   if (column.style == Column::mebibytes) return 1;
   double largest = 0;
-  for (const json& line : lines) largest = std::max(largest, number_at(line, column.pointer).value_or(0) * column.scale);
+  for (const json& line : lines) largest = std::max(largest, number_at(line, column.pointer.c_str()).value_or(0) * column.scale);
   return largest >= 1000 ? 1 : largest >= 100 ? 2 : 3;
 }
 
 std::string cell(const json& line, const Column& column, int digits) {
-  const auto value = number_at(line, column.pointer);
+  const auto value = number_at(line, column.pointer.c_str());
   return value ? fmt::format("{:.{}f}", *value * column.scale, digits) : "-";
 }
 
@@ -58,7 +77,14 @@ struct Row {
 std::vector<Row> rows_of(const ResultGroup& group, std::span<const json> lines, std::span<const Column> columns,
                          std::span<const int> digits) {
   std::vector<Row> rows;
-  for (size_t i = 0; i < group.rows.size(); ++i) {
+  // The least error first; what has none, last, as it came.
+  std::vector<size_t> order(group.rows.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  const auto error = [&](size_t i) {
+    return number_at(lines[group.rows[i]], columns[0].pointer.c_str()).value_or(std::numeric_limits<double>::infinity());
+  };
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return error(a) < error(b); });
+  for (const size_t i : order) {
     const json& line = lines[group.rows[i]];
     Row row{visible_line(group.labels[i]), {}, {}};
     if (is_available(line)) {
@@ -80,15 +106,10 @@ std::string joined(const std::vector<std::string>& parts) {
 
 }  // namespace
 
-std::string text_table(std::span<const json> results) {
+std::string text_table(std::span<const json> results, const std::string& against) {
   if (results.empty()) return "no results\n";
-  std::vector<Column> columns;
-  for (const Column& column : k_columns) {
-    const bool is_filled = std::any_of(results.begin(), results.end(),
-                                       [&](const json& line) { return number_at(line, column.pointer).has_value(); });
-    const bool is_optional = std::string_view(column.title) == "area mae";
-    if (is_filled || !is_optional) columns.push_back(column);
-  }
+  const std::string truth = truth_of(results, against);
+  const std::vector<Column> columns = columns_of(results, truth);
 
   const auto groups = group_results(results);
   std::vector<std::vector<Row>> blocks;

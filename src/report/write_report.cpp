@@ -56,10 +56,12 @@ std::string page_title(const ResultSet& set) {
 
 }  // namespace
 
-void write_report(std::span<const std::filesystem::path> folders, const std::filesystem::path& output) {
+void write_report(std::span<const std::filesystem::path> folders, const std::filesystem::path& output,
+                  const std::string& against) {
   const ResultSet set = read_result_folders(folders);
-  const json data = page_data(set, group_results(set.lines));
-  const std::string title = escape_html(page_title(set)), table = escape_html(text_table(set.lines)),
+  json data = page_data(set, group_results(set.lines));
+  data["against"] = against;
+  const std::string title = escape_html(page_title(set)), table = escape_html(text_table(set.lines, against)),
                     embedded = script_json(data);
   const std::string page = fill_template(report_page_html(), {{"title", title},
                                                               {"css", report_page_css()},

@@ -39,6 +39,15 @@ void ViewArguments::add_to(CLI::App& command) {
   command.add_option("--write-preset", written_preset, "also writes all settings in force as a preset");
 }
 
+void add_against(CLI::App& command, std::string& against) {
+  command
+      .add_option("--against", against,
+                  "the truth that errors are sorted and judged by: pixel (what each pixel should show), area (the light in its real size), "
+                  "hard (one ray to its middle)")
+      ->check(CLI::IsMember({"pixel", "area", "hard"}))
+      ->capture_default_str();
+}
+
 uvec2 parse_size(const std::string& size) {
   const size_t x = size.find('x');
   const auto number = [&](std::string_view text) {

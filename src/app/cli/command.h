@@ -53,6 +53,9 @@ struct ViewArguments {
   const CLI::App* command_ = nullptr;
 };
 
+// --against pixel|area|hard.
+void add_against(CLI::App& command, std::string& against);
+
 // "800x600" of --size.
 uvec2 parse_size(const std::string& text);
 

@@ -19,6 +19,7 @@ struct Arguments {
   std::vector<std::string> techniques = {"all"};
   std::string output;
   double max_error = -1.0;
+  std::string against = k_truth_names[0];
   bool resume = false;
 };
 
@@ -38,8 +39,14 @@ void check_threshold(const std::vector<nlohmann::json>& lines, const Arguments& 
       if (named) missing.push_back(fmt::format("{} ({})", name, line["reason"].get<std::string>()));
       continue;
     }
+    const auto& scores = line["visibility"];
+    if (!scores.contains(arguments.against)) {
+      missing.push_back(fmt::format("{} (there is no truth '{}' here: the light has no size, or the settings leave it out)", name,
+                                    arguments.against));
+      continue;
+    }
+    const auto& mae = scores[arguments.against]["mae"];
     measured = true;
-    const auto& mae = line["visibility"]["hard"]["mae"];
     if (!mae.is_number() || !(mae.get<double>() <= arguments.max_error))
       exceeding.push_back(fmt::format("{} (mae {})", name, mae.dump()));
   }
@@ -90,8 +97,9 @@ void add_compare(CLI::App& app, const Globals& globals) {
   command
       ->add_option(
           "--max-error", arguments->max_error,
-          "exit with 4 when the mae (hard) of a technique is above this, with 3 when a named technique cannot be measured")
+          "exit with 4 when the mae (by --against) of a technique is above this, with 3 when a named technique cannot be measured")
       ->check(CLI::Range(0.0, 1.0));
+  add_against(*command, arguments->against);
   command->add_flag("--resume", arguments->resume,
                     "continue an unfinished run in the output folder: results that are still true are kept");
   command->callback([arguments, command, &globals] {
@@ -111,10 +119,10 @@ void add_compare(CLI::App& app, const Globals& globals) {
     const auto device = globals.open_device();
     const auto folder = compare(*device, options, settings);
     const auto& lines = folder->lines();
-    std::cout << text_table(lines);
+    std::cout << text_table(lines, arguments->against);
     report_agreement(lines);
     const std::filesystem::path folders[] = {folder->unfinished()};
-    write_report(folders, folder->unfinished() / "report.html");
+    write_report(folders, folder->unfinished() / "report.html", arguments->against);
     folder->publish();
     log_info("report: {}", std::filesystem::absolute(options.output / "report.html").string());
     if (arguments->max_error >= 0.0) check_threshold(lines, *arguments);

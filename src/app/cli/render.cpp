@@ -15,6 +15,7 @@ struct Arguments {
   std::vector<std::string> techniques = {"single/pcf"};
   std::string output;
   Picture picture = Picture::shaded;
+  std::string against = truth_name(k_truths[0]);
   uint32_t frames = 0;
   std::string path, sun_path;
   double seconds = 0.0;
@@ -49,6 +50,7 @@ void add_render(CLI::App& app, const Globals& globals) {
       {"shaded", Picture::shaded}, {"mask", Picture::mask}, {"error", Picture::error}, {"reference", Picture::reference}};
   command->add_option("--show", arguments->picture, "shaded, mask, error (signed, against the reference), reference")
       ->transform(CLI::CheckedTransformer(names));
+  add_against(*command, arguments->against);
   command
       ->add_option("--frames", arguments->frames,
                    "a sequence of so many pictures along the paths: NAME_0000.png, NAME_0001.png, ...")
@@ -73,6 +75,7 @@ void add_render(CLI::App& app, const Globals& globals) {
       options.techniques = preset.techniques;
     }
     options.picture = arguments->picture;
+    options.against = truth_named(arguments->against);
     options.output = arguments->output;
     options.frames = arguments->frames;
     options.path = arguments->path, options.sun_path = arguments->sun_path;

@@ -13,7 +13,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> folders;
-  std::string output, csv;
+  std::string output, csv, against = k_truth_names[0];
 };
 
 // A run that did not finish is no part of the report, and must not go unseen.
@@ -37,12 +37,13 @@ void add_report(CLI::App& app, const Globals&) {
   command->add_option("folders", arguments->folders, "folders that hold results.jsonl")->required();
   command->add_option("-o,--output", arguments->output, "page to write (default: report.html in the first folder)");
   command->add_option("--csv", arguments->csv, "also write the results as CSV");
+  add_against(*command, arguments->against);
   command->callback([arguments] {
     const std::vector<std::filesystem::path> folders(arguments->folders.begin(), arguments->folders.end());
     const std::filesystem::path page =
         arguments->output.empty() ? folders.front() / "report.html" : std::filesystem::path(arguments->output);
     for (const auto& folder : folders) look_for_unfinished(folder);
-    write_report(folders, page);
+    write_report(folders, page, arguments->against);
     log_info("report: {}", std::filesystem::absolute(page).string());
     if (!arguments->csv.empty()) write_csv(folders, arguments->csv);
   });

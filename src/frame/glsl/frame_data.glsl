@@ -76,6 +76,7 @@ struct CameraData {
   vec3 up_ws;
   uint samples;
   uvec2 size;
+  vec2 subpixel;  // in pixels: how far from their usual places within a pixel it is sampled (the truth of pixels; else 0)
 };
 
 #ifndef __cplusplus
@@ -99,7 +100,6 @@ struct SurfaceData {
   ADDRESS(Uint) primitive;          // triangle within the item
   ADDRESS(Uint) share;              // 4 bits per sample: the first sample of the pixel that lies on the same surface
 };
-shared_constant uint k_no_item = 0xffffffffu;
 
 #ifdef __cplusplus
 struct SceneData {

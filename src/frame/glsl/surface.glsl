@@ -15,7 +15,8 @@ uint sample_index(CameraData camera, uvec2 pixel, uint s) { return (pixel.y * ca
 
 // The ray through a sample, not normalised: a point at view depth z lies at origin + z * direction.
 void view_ray(CameraData camera, uvec2 pixel, uint s, out vec3 origin, out vec3 direction) {
-  vec2 ndc = (vec2(pixel) + sample_position(s, camera.samples)) / vec2(camera.size) * 2.0 - 1.0;
+  vec2 at = vec2(pixel) + sample_position(s, camera.samples) + camera.subpixel;
+  vec2 ndc = at / vec2(camera.size) * 2.0 - 1.0;
   vec3 sideways = ndc.x * camera.right_ws - ndc.y * camera.up_ws;
   origin = camera.orthographic != 0u ? camera.eye_ws + sideways : camera.eye_ws;
   direction = camera.orthographic != 0u ? camera.forward_ws : camera.forward_ws + sideways;

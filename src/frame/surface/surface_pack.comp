@@ -2,6 +2,7 @@
 // which samples of a pixel lie on one surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "base/glsl/same_surface.glsl"
 #include "frame/glsl/bindless.glsl"
 #include "frame/glsl/draw_vertex.glsl"
 #include "frame/surface/pixel_tile.glsl"
@@ -25,15 +26,8 @@ float view_z_of_depth(float depth) {
   return camera.near_m / depth;
 }
 
-struct Packed {
-  float z;
-  vec3 normal;
-  uint item;
-  uint primitive;
-};
-
-Packed pack_sample(uvec2 pixel, int s) {
-  Packed result = Packed(0.0, vec3(0.0), k_no_item, 0u);
+SurfaceSample pack_sample(uvec2 pixel, int s) {
+  SurfaceSample result = SurfaceSample(0.0, vec3(0.0), k_no_item, 0u);
   float depth = fetch(data.depth_image, ivec2(pixel), s).x;
   if (depth <= 0.0) return result;
   vec2 id = fetch(data.id_image, ivec2(pixel), s).xy;
@@ -61,16 +55,8 @@ Packed pack_sample(uvec2 pixel, int s) {
   return result;
 }
 
-bool same_surface(Packed a, Packed b, vec3 between) {
-  if (a.item != b.item) return false;
-  if (a.item == k_no_item || a.primitive == b.primitive) return true;
-  // Neighbouring triangles of one item, nearly in one plane (8 degrees) and not torn apart in depth.
-  float slack = 0.05 * length(between) + 1e-6 * a.z;
-  return dot(a.normal, b.normal) > 0.99 && abs(dot(a.normal, between)) <= slack;
-}
-
 void pack_pixel(uvec2 pixel) {
-  Packed samples[8];
+  SurfaceSample samples[8];
   vec3 positions[8];
   uint share = 0u;
   for (uint s = 0u; s < k_samples; ++s) {

@@ -76,6 +76,31 @@ class LightComparison {
  private:
   const LightReference& truth() const { return references_.lights.front(); }
 
+  template <class Call>
+  void for_each_truth(const Call& call) const {
+    for (const Truth kind : k_truths) {
+      if (const ReferenceResult* result = truth().find(kind)) call(truth_name(kind), *result);
+    }
+  }
+
+  // Samples whose pixel has no truth are not scored against it.
+  std::vector<uint8_t> scored_by(const ReferenceResult& result) const {
+    std::vector<uint8_t> scored = scored_;
+    for (size_t i = 0; i < scored.size(); ++i) scored[i] = scored[i] && result.receiver[i];
+    return scored;
+  }
+
+  // The best truth as a mask; the next best of a sample where that one knows nothing.
+  std::vector<float> mask_of_truth() const {
+    std::vector<float> mask = truth().area ? truth().area->visibility : truth().hard.visibility;
+    if (!truth().pixel) return mask;
+    const ReferenceResult& pixel = truth().pixel->result;
+    for (size_t i = 0; i < mask.size(); ++i) {
+      if (pixel.receiver[i]) mask[i] = pixel.visibility[i];
+    }
+    return mask;
+  }
+
   // Only when the first technique asks for it: where every line was kept, nothing is traced again.
   void make_reference() {
     session_.draw_surface();
@@ -127,8 +152,9 @@ class LightComparison {
     line["gpu_ms"] = {{"build", build}, {"resolve", resolve}, {"total", build + resolve}};
 
     const std::vector<float> mask = session_.frame().read_mask(0);
-    line["visibility"]["hard"] = visibility_error(mask, truth().hard.visibility, scored_).to_json();
-    if (truth().area) line["visibility"]["area"] = visibility_error(mask, truth().area->visibility, scored_).to_json();
+    for_each_truth([&](const char* name, const ReferenceResult& result) {
+      line["visibility"][name] = visibility_error(mask, result.visibility, scored_by(result)).to_json();
+    });
     line["artefacts"] = nlohmann::json::object();
     if (options_.pictures) write_pictures(spec, mask, line);
   }
@@ -149,12 +175,10 @@ class LightComparison {
     images["shaded"] = write_picture(name + ".shaded", shaded);
     images["mask"] =
         write_picture(name + ".mask", mask_picture(mask, truth().hard.receiver, shaded.width, shaded.height, samples));
-    images["error"]["hard"] = write_picture(
-        name + ".error.hard", signed_error_map(mask, truth().hard.visibility, truth().hard.receiver, samples, shaded));
-    if (truth().area) {
-      images["error"]["area"] = write_picture(
-          name + ".error.area", signed_error_map(mask, truth().area->visibility, truth().area->receiver, samples, shaded));
-    }
+    for_each_truth([&](const char* kind, const ReferenceResult& result) {
+      images["error"][kind] = write_picture(fmt::format("{}.error.{}", name, kind),
+                                            signed_error_map(mask, result.visibility, result.receiver, samples, shaded));
+    });
   }
 
   void write_reference_pictures() {
@@ -164,9 +188,10 @@ class LightComparison {
                           static_cast<int>(session_.frame().samples()));
     };
     make_folder(folder_.unfinished() / "images");
-    reference_pictures_["reference"]["hard"] = write_picture("reference.hard", picture(truth().hard));
-    if (truth().area) reference_pictures_["reference"]["area"] = write_picture("reference.area", picture(*truth().area));
-    session_.frame().write_mask(0, truth().area ? truth().area->visibility : truth().hard.visibility);
+    for_each_truth([&](const char* kind, const ReferenceResult& result) {
+      reference_pictures_["reference"][kind] = write_picture(fmt::format("reference.{}", kind), picture(result));
+    });
+    session_.frame().write_mask(0, mask_of_truth());
     reference_shaded_ = session_.shade();
     reference_pictures_["reference_shaded"] = write_picture("reference.shaded", reference_shaded_);
   }

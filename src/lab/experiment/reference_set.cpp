@@ -37,6 +37,36 @@ void check_triangles(size_t in_structure, size_t rasterised, const std::string& 
        rasterised);
 }
 
+// Draws the surface once for each place, with a frame of its own: that of the session stays as it is. `trace` as in make_references.
+template <class Trace>
+void average_pixels(Session& session, std::span<const vec2> places, bool area, ReferenceSet& set, uint32_t seed,
+                    const Trace& trace) {
+  const Frame& frame = session.frame();
+  const auto points = frame.read_points();
+  const auto surface = frame.read_surface();
+  std::vector<PixelAverage> averages;
+  for (const LightReference& reference : set.lights)
+    averages.emplace_back(points, surface, reference.hard.receiver, frame.samples());
+
+  Frame between(session.device(), frame.scene(), frame.size(), 1, frame.lights());
+  Recorder recorder(session.device(), TimingMode::play, false);
+  for (size_t i = 0; i < places.size(); ++i) {
+    between.set_camera(session.camera(), places[i]);
+    recorder.frame([&] { between.record_surface(recorder); });
+    const auto points_between = between.read_points();
+    const auto surface_between = between.read_surface();
+    for (size_t light = 0; light < averages.size(); ++light) {
+      const bool sized = area && frame.lights()[light].has_size();
+      const int rays = sized ? set.rays_per_pixel_sample : 1;
+      // Another seed for each place: their rays are no copies of each other.
+      const ReferenceResult answer =
+          trace(between, frame.lights()[light], sized, rays, seed + static_cast<uint32_t>(i) * 0x9e3779b9u);
+      averages[light].add(points_between, surface_between, answer, rays);
+    }
+  }
+  for (size_t light = 0; light < averages.size(); ++light) set.lights[light].pixel = averages[light].finish();
+}
+
 }  // namespace
 
 size_t rasterised_caster_triangles(Session& session) {
@@ -59,35 +89,67 @@ size_t rasterised_caster_triangles(Session& session) {
   return recorder.finish().passes.back().triangles;
 }
 
-ReferenceSet make_references(Session& session) {
+const char* truth_name(Truth truth) {
+  return truth == Truth::hard ? "hard" : truth == Truth::area ? "area" : "pixel";
+}
+
+Truth truth_named(std::string_view name) {
+  for (const Truth truth : k_truths) {
+    if (name == truth_name(truth)) return truth;
+  }
+  fail_usage("--against {}: valid: pixel, area, hard", name);
+}
+
+const ReferenceResult* LightReference::find(Truth truth) const {
+  if (truth == Truth::hard) return &hard;
+  if (truth == Truth::area) return area ? &*area : nullptr;
+  return pixel ? &pixel->result : nullptr;
+}
+
+const ReferenceResult& LightReference::best() const {
+  for (const Truth truth : k_truths) {
+    if (const ReferenceResult* result = find(truth)) return *result;
+  }
+  return hard;
+}
+
+ReferenceSet make_references(Session& session, std::optional<Truth> only) {
   const auto params = session.settings().block("reference").as<reference_params::Params>();
   const size_t rasterised = rasterised_caster_triangles(session);
   const auto seed = static_cast<uint32_t>(params.seed);
   ReferenceSet set;
   set.samples = params.samples;
+  const bool wants_area = only ? *only == Truth::area : params.area;
+  const bool wants_pixel = only ? *only == Truth::pixel : params.pixel;
+  const std::vector<vec2> places = subpixel_places(params.pixel_samples);
+  set.pixel_samples = params.pixel_samples;
+  set.rays_per_pixel_sample = std::max((params.samples + params.pixel_samples - 1) / params.pixel_samples, 1);
 
+  // trace(frame, light, whether with its size, rays, seed)
   const auto trace_all = [&](const auto& trace) {
-    for (const Light& light : session.frame().lights()) {
-      LightReference reference;
-      reference.hard = trace(light, false);
-      if (light.has_size() && params.area) reference.area = trace(light, true);
-      set.lights.push_back(std::move(reference));
+    const Frame& frame = session.frame();
+    for (const Light& light : frame.lights()) {
+      LightReference& reference = set.lights.emplace_back();
+      reference.hard = trace(frame, light, false, 1, seed);
+      if (light.has_size() && wants_area) reference.area = trace(frame, light, true, params.samples, seed);
     }
+    if (wants_pixel) average_pixels(session, places, params.area, set, seed, trace);
   };
   if (use_pipeline(session, session.device().info())) {
     set.kind = "pipeline";
     const AccelerationStructure& structure = session.context().acceleration_structure();
     check_triangles(structure.triangle_count(), rasterised, set.kind);
     const PipelineReference reference(session.device(), structure);
-    trace_all(
-        [&](const Light& light, bool area) { return reference.trace(session.frame(), light, area, params.samples, seed); });
+    trace_all([&](const Frame& frame, const Light& light, bool area, int rays, uint32_t of_rays) {
+      return reference.trace(frame, light, area, rays, of_rays);
+    });
   } else {
     set.kind = "embree";
     const EmbreeReference reference(session.scene());
     check_triangles(reference.triangle_count(), rasterised, set.kind);
-    const auto points = session.frame().read_points();
-    const vec3 eye = session.frame().camera().eye_ws;
-    trace_all([&](const Light& light, bool area) { return reference.trace(points, eye, light, area, params.samples, seed); });
+    trace_all([&](const Frame& frame, const Light& light, bool area, int rays, uint32_t of_rays) {
+      return reference.trace(frame.read_points(), frame.camera().eye_ws, light, area, rays, of_rays);
+    });
   }
   return set;
 }

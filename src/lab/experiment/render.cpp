@@ -30,16 +30,16 @@ void draw(Session& session, std::span<const std::unique_ptr<Technique>> techniqu
 }
 
 // The picture that lies in the session's frame.
-void write_picture(Session& session, Picture picture, const std::filesystem::path& output) {
+void write_picture(Session& session, Picture picture, Truth against, const std::filesystem::path& output) {
   Frame& frame = session.frame();
   const bool exr = output.extension() == ".exr";
   if (picture == Picture::shaded) {
     exr ? write_exr(output, frame.read_linear()) : write_png(output, frame.read_display());
     return;
   }
-  const ReferenceSet references = make_references(session);
-  const ReferenceResult& truth =
-      references.lights.front().area ? *references.lights.front().area : references.lights.front().hard;
+  const ReferenceSet references = make_references(session, against);
+  const LightReference& reference = references.lights.front();
+  const ReferenceResult& truth = reference.find(against) ? *reference.find(against) : reference.hard;
   const std::vector<float> mask = picture == Picture::reference ? truth.visibility : frame.read_mask(0);
   const int samples = static_cast<int>(frame.samples());
   if (exr) {
@@ -127,7 +127,7 @@ void render(Device& device, const RenderOptions& options, const Settings& settin
   }
   if (options.frames == 0) {
     draw(session, session.make_techniques(specs));
-    write_picture(session, options.picture, options.output);
+    write_picture(session, options.picture, options.against, options.output);
     return;
   }
   Motion motion(session, options);
@@ -136,7 +136,7 @@ void render(Device& device, const RenderOptions& options, const Settings& settin
   for (uint32_t frame = 0; frame < options.frames; ++frame) {
     motion.apply(session, frame);
     draw(session, techniques);
-    write_picture(session, options.picture, numbered(options.output, frame, options.frames));
+    write_picture(session, options.picture, options.against, numbered(options.output, frame, options.frames));
     progress.update(frame + 1);
   }
 }

@@ -62,6 +62,13 @@ nlohmann::json describe_reference(const ReferenceSet& set, const LightReference&
   nlohmann::json json;
   json["hard"] = {{"kind", set.kind}, {"samples", 1}, {"confidence", reference.hard.confidence}};
   if (reference.area) json["area"] = {{"kind", set.kind}, {"samples", set.samples}, {"confidence", reference.area->confidence}};
+  if (reference.pixel) {
+    json["pixel"] = {{"kind", set.kind},
+                     {"samples", set.pixel_samples},
+                     {"rays", reference.area ? set.rays_per_pixel_sample : 1},
+                     {"confidence", reference.pixel->result.confidence},
+                     {"uncovered", reference.pixel->uncovered}};
+  }
   return json;
 }
 

@@ -47,6 +47,15 @@ function renderKindSwitch(onChange) {
       el("span", {}, kinds[kind].label))));
 }
 
+// Another truth may have another winner: who reads only the first line must see that.
+function othersText(winner) {
+  const texts = kindsOf(state.group).filter((kind) => kind !== state.kind).map((kind) => {
+    const best = state.group.rows.filter((row) => isNumber(row[kind]?.mae)).sort((a, b) => a[kind].mae - b[kind].mae)[0];
+    return best && best !== winner ? `against ${kinds[kind].label} it is ${best.label} (${formatError(best[kind].mae)})` : null;
+  }).filter(Boolean);
+  return texts.length > 0 ? texts.join("; ") : null;
+}
+
 function renderSummary() {
   const rows = state.group.rows;
   const best = (value) => rows.filter((row) => isNumber(value(row))).sort((a, b) => value(a) - value(b))[0];
@@ -57,7 +66,8 @@ function renderSummary() {
   const card = (title, name, ...more) => el("div", {}, el("dt", {}, title), el("dd", {}, name),
     more.filter(Boolean).map((text) => el("dd", { class: "more" }, text)));
   byId("summary").replaceChildren(el("dl", {},
-    exact && card("Smallest error", ...labelParts(exact), `mae ${formatError(error(exact))}, ${kinds[state.kind].label}`),
+    exact && card("Smallest error", ...labelParts(exact), `mae ${formatError(error(exact))} against ${kinds[state.kind].label}: ${kinds[state.kind].words}`,
+      othersText(exact)),
     fast && card("Least GPU time", ...labelParts(fast), withUnit(formatMs(fast.gpu.total), "ms")),
     front.length > 0 && card("Best for their cost", `${front.length} of ${points.length}`, "on the Pareto front below"),
     missing > 0 && card("Unavailable", String(missing), "reasons in the table")));

@@ -3,12 +3,19 @@
 function renderGroup() {
   const present = kindsOf(state.group);
   if (!present.includes(state.kind)) state.kind = present[0] ?? "hard";
-  // A run that only measured time has no errors to sort by.
-  if (present.length === 0 && state.sort.key === "mae_hard") state.sort = { key: "total", ascending: true };
+  // Sorted by an error that this group does not have; a run that only measured time has none.
+  if (state.sort.key.startsWith("mae_") && !present.includes(state.sort.key.slice("mae_".length))) {
+    state.sort = { key: present.length > 0 ? `mae_${state.kind}` : "total", ascending: true };
+  }
   state.expanded.clear();
   byId("error-legend").hidden = present.length === 0;
   renderFacts();
-  renderKindSwitch((kind) => { state.kind = kind; renderKind(); renderGallery(); });
+  renderKindSwitch((kind) => {
+    if (state.sort.key === `mae_${state.kind}`) state.sort.key = `mae_${kind}`;
+    state.kind = kind;
+    renderKind();
+    renderGallery();
+  });
   renderKind();
   renderGallery();
   renderCompare();

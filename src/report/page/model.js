@@ -3,8 +3,9 @@
 const data = JSON.parse(byId("gnomon-data").textContent);
 
 const kinds = {
-  hard: { label: "hard shadows" },
-  area: { label: "area light" },
+  pixel: { label: "pixels", words: "what each pixel should show: the mean over points within it" },
+  area: { label: "area light", words: "the light in its real size, seen from the middle of each pixel" },
+  hard: { label: "hard shadows", words: "one ray to the middle of the light, from the middle of each pixel" },
 };
 const stageNames = ["surface", "build", "resolve", "shade"];
 const stageHelp = {
@@ -16,8 +17,10 @@ const stageHelp = {
 
 // A picture's name as people say it; keys that are not known yet show as they are.
 const pictureNames = {
-  "shaded": "shaded", "mask": "mask", "error.hard": "error, hard", "error.area": "error, area",
-  "reference_shaded": "shaded reference", "reference.hard": "reference mask, hard", "reference.area": "reference mask, area",
+  "shaded": "shaded", "mask": "mask", "error.pixel": "error, pixel",
+  "error.area": "error, area", "error.hard": "error, hard",
+  "reference_shaded": "shaded reference", "reference.pixel": "reference mask, pixel",
+  "reference.area": "reference mask, area", "reference.hard": "reference mask, hard",
 };
 
 function flattenPictures(images, prefix = "") {
@@ -49,8 +52,7 @@ function makeRow(raw, index) {
   return {
     raw, index, available,
     label: raw.label,
-    hard: (available && raw.visibility?.hard) || null,
-    area: (available && raw.visibility?.area) || null,
+    ...Object.fromEntries(Object.keys(kinds).map((kind) => [kind, (available && raw.visibility?.[kind]) || null])),
     gpu: (available && raw.gpu_ms) || {},
     passes: (available && raw.passes) || [],
     memory: available ? raw.memory_bytes : null,
@@ -81,9 +83,9 @@ const metrics = {
 
 const state = {
   group: groups[0],
-  kind: "hard",
+  kind: data.against ?? "pixel",
   metric: "mae",
-  sort: { key: "mae_hard", ascending: true },
+  sort: { key: `mae_${data.against ?? "pixel"}`, ascending: true },
   hiddenStages: new Set(),
   bars: "ms",  // or "share": of the shown passes of each row
   expanded: new Set(),

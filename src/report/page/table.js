@@ -7,8 +7,8 @@ function tableColumns() {
   const columns = [
     column("technique", null, "Technique", (row) => row.label, null, { isText: true }),
     column("status", null, "Status", (row) => row.raw.status, null, { isText: true }),
-    column("mae_hard", "Mean abs. error", "hard", (row) => row.hard?.mae, formatError),
-    column("mae_area", "Mean abs. error", "area", (row) => row.area?.mae, formatError),
+    ...kindsOf(state.group).map((kind) =>
+      column(`mae_${kind}`, "Mean abs. error", kind, (row) => row[kind]?.mae, formatError, { title: `against ${kinds[kind].words}` })),
     column("false_shadow", "False shadow", "area %", of((v) => v.false_shadow?.area), formatPercent, { bar: "shadow" }),
     column("false_shadow_severity", "False shadow", "severity", of((v) => v.false_shadow?.severity), formatShare),
     column("false_light", "False light", "area %", of((v) => v.false_light?.area), formatPercent, { bar: "light" }),
@@ -20,7 +20,7 @@ function tableColumns() {
     column("memory", null, "MiB", (row) => row.memory, formatMiB, { title: "GPU memory of the technique" }),
     column("psnr", null, "PSNR", (row) => row.psnr, formatDb, { title: "shaded picture against its reference, dB" }),
   ];
-  return columns.filter(({ key }) => key !== "mae_area" || kindsOf(state.group).includes("area"));
+  return columns;
 }
 
 // What has no value stands last in both directions: it is neither small nor large.
