@@ -61,14 +61,13 @@ Light lamp_of(LightKind kind) {
 }
 
 struct Run {
-  std::string technique;
-  std::initializer_list<std::string_view> small_maps;
+  std::string_view technique, small_maps;
 };
 
 std::vector<Run> runs_of(LightKind kind) {
-  if (kind == LightKind::directional) return {{"single/hard", {"single.size=512"}}, {"cascaded/hard", {"cascaded.size=512"}}};
-  if (kind == LightKind::spot) return {{"single/hard", {"single.size=512"}}};
-  return {{"cube/hard", {"cube.size=512"}}, {"dual_paraboloid/hard", {"dual_paraboloid.size=512"}}};
+  if (kind == LightKind::directional) return {{"single/hard", "single.size=512"}, {"cascaded/hard", "cascaded.size=512"}};
+  if (kind == LightKind::spot) return {{"single/hard", "single.size=512"}};
+  return {{"cube/hard", "cube.size=512"}, {"dual_paraboloid/hard", "dual_paraboloid.size=512"}};
 }
 
 // Receivers whose neighbours have the same answer: an edge may lie a texel of the map beside.
@@ -115,11 +114,10 @@ size_t shadowed(LightKind kind, const std::vector<std::string>& rules) {
     for (const auto path :
          {LayeringPath::per_layer, LayeringPath::vertex_layer, LayeringPath::geometry, LayeringPath::multiview}) {
       if (!layering_path_missing(device().info(), path).empty()) continue;
-      SettingsMap settings = test::settings_of(spec, run.small_maps);
-      const std::string name(layering_path_name(path));
-      settings.find("submission")->second.set("path", name, "submission.path=" + name);
+      const std::string path_setting = fmt::format("submission.path={}", layering_path_name(path));
+      const SettingsMap settings = test::settings_of(spec, {run.small_maps, path_setting});
       expect_like_reference(test::run_technique(view, spec, settings).mask, reference,
-                            fmt::format("{} {} {}", what, run.technique, name));
+                            fmt::format("{} {} {}", what, run.technique, path_setting));
     }
   }
   size_t dark = 0;

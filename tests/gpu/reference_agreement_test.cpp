@@ -167,6 +167,7 @@ TEST(ReferenceRefuses, AnEmptySetWhereSomethingIsDrawn) {
 
 TEST(ReferenceAgreement, WhereNothingCastsAllIsLit) {
   for (const char* kind : {"embree", "pipeline"}) {
+    if (std::string_view(kind) == "pipeline" && !device().info().ray_tracing) continue;
     const WarningWatch watch;
     const auto session = small_session(kind, {"*=off"});
     ASSERT_EQ(watch.texts().size(), 1u);
@@ -201,7 +202,11 @@ TEST(ReferenceAgreement, WhereNothingCastsEveryTechniqueShowsLight) {
         EmbreeReference(view.scene())
             .trace(view.frame().read_points(), view.frame().camera().eye_ws, view.scene().lights[0], false, 1, 1);
     for (const TechniqueSpec& spec : all_techniques()) {
-      if (!spec.supports(kind)) continue;
+      // Each projection once and, under the sun, each filter once: the others are made of the same.
+      const bool filters = kind == LightKind::directional && spec.name.starts_with("single/");
+      const bool once = filters || spec.name.ends_with("/hard") || spec.name.find('/') == spec.name.npos;
+      if (!once || !spec.supports(kind)) continue;
+      if (spec.name == "ray_traced" && !device().info().ray_tracing) continue;
       const auto mask = test::run_technique(view, spec, spec.default_settings()).mask;
       float darkest = 1.0f;
       for (size_t i = 0; i < mask.size(); ++i) darkest = reference.receiver[i] ? std::min(darkest, mask[i]) : darkest;
