@@ -28,9 +28,6 @@ void turn(Scene& scene, const mat4& turned_from_file) {
     light.direction = turned(light.direction);
   }
   for (Camera& camera : scene.cameras) camera.world_from_view = turned_from_file * camera.world_from_view;
-  for (CameraPath& path : scene.camera_paths) {
-    for (CameraKey& key : path.keys) key.eye = turned(key.eye), key.target = turned(key.target);
-  }
 }
 
 // A model whose up is another axis lies on its back: high and wide, and thin along its own up. So is a wall, and nothing in

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/hermite.h"
 
 namespace gnomon {
 namespace {
@@ -26,12 +27,6 @@ vec3 tangent(std::span<const CameraKey> keys, size_t i, vec3 CameraKey::*member)
   const auto before = static_cast<float>(keys[low].time_s - keys[low - 1].time_s);
   const auto after = static_cast<float>(keys[high + 1].time_s - keys[high].time_s);
   return (slope(low - 1, low) * after + slope(high, high + 1) * before) / (before + after);
-}
-
-vec3 hermite(const vec3& a, const vec3& tangent_a, const vec3& b, const vec3& tangent_b, float t, float step) {
-  const float t2 = t * t, t3 = t2 * t;
-  return a * (2 * t3 - 3 * t2 + 1) + tangent_a * (step * (t3 - 2 * t2 + t)) + b * (3 * t2 - 2 * t3) +
-         tangent_b * (step * (t3 - t2));
 }
 
 mat4 looking(const vec3& eye, const vec3& target) {
@@ -88,10 +83,9 @@ CameraPose pose_at(const CameraPath& path, double time_s) {
       std::upper_bound(keys.begin(), keys.end(), time_s, [](double t, const CameraKey& key) { return t < key.time_s; });
   const auto b = static_cast<size_t>(next - keys.begin()), a = b - 1;
   const double step = keys[b].time_s - keys[a].time_s;
-  const auto t = static_cast<float>((time_s - keys[a].time_s) / step);
+  const auto t = static_cast<float>((time_s - keys[a].time_s) / step), step_s = static_cast<float>(step);
   const auto at = [&](vec3 CameraKey::*member) {
-    return hermite(keys[a].*member, tangent(keys, a, member), keys[b].*member, tangent(keys, b, member), t,
-                   static_cast<float>(step));
+    return hermite(keys[a].*member, step_s * tangent(keys, a, member), keys[b].*member, step_s * tangent(keys, b, member), t);
   };
   return {at(&CameraKey::eye), at(&CameraKey::target)};
 }

@@ -8,6 +8,27 @@
 
 namespace gnomon {
 
+namespace {
+
+constexpr bool is_clear(uint8_t alpha) { return alpha < 32; }
+constexpr bool is_solid(uint8_t alpha) { return alpha >= 224; }
+
+// Where a soft edge passes: a texel that has both ends within two texels of it.
+bool is_edge(const Image8& image, int x, int y) {
+  constexpr int k_reach = 2;
+  bool clear = false, solid = false;
+  for (int v = std::max(y - k_reach, 0); v <= std::min(y + k_reach, image.height - 1); ++v) {
+    for (int u = std::max(x - k_reach, 0); u <= std::min(x + k_reach, image.width - 1); ++u) {
+      const uint8_t alpha = image.at(u, v)[3];
+      clear |= is_clear(alpha), solid |= is_solid(alpha);
+      if (clear && solid) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 bool has_transparency(const Image8& image) {
   for (size_t i = 3; i < image.rgba.size(); i += 4) {
     if (image.rgba[i] < 255) return true;
@@ -16,26 +37,30 @@ bool has_transparency(const Image8& image) {
 }
 
 AlphaShares alpha_shares(const Image8& image) {
-  size_t clear = 0, solid = 0, holes = 0;
-  for (size_t i = 3; i < image.rgba.size(); i += 4) {
-    clear += image.rgba[i] < 32;
-    solid += image.rgba[i] >= 224;
-    holes += image.rgba[i] < 128;
+  size_t clear = 0, solid = 0, edges = 0, holes = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const uint8_t alpha = image.at(x, y)[3];
+      clear += is_clear(alpha), solid += is_solid(alpha), holes += alpha < 128;
+      edges += !is_clear(alpha) && !is_solid(alpha) && is_edge(image, x, y);
+    }
   }
   const double count = std::max(1.0, static_cast<double>(image.rgba.size() / 4));
   AlphaShares shares;
   shares.clear = static_cast<double>(clear) / count;
   shares.solid = static_cast<double>(solid) / count;
   shares.between = std::max(0.0, 1.0 - shares.clear - shares.solid);
+  shares.edges = static_cast<double>(edges) / count;
   shares.holes = static_cast<double>(holes) / count;
   return shares;
 }
 
-// Of a cut-out the texels between are its soft edges. Their values span six times as many as either end, so that a ramp has
-// six times as many; foliage and nets in use have up to half as many as their scarcer end, small pictures more.
+// Of a cut-out the texels between are its soft edges: few beside both ends together, however few the wires of a net are. Their
+// values span three quarters of all, so that a ramp has that many. Where they are no edges - a blurred picture, or highlights
+// of a gloss - they are held against the scarcer end, of which a ramp has six times as many.
 bool is_cut_out(const AlphaShares& shares) {
-  const double scarcer = std::min(shares.clear, shares.solid);
-  return scarcer > 0.0 && shares.between <= 1.5 * scarcer;
+  const double scarcer = std::min(shares.clear, shares.solid), smooth = shares.between - shares.edges;
+  return scarcer > 0.0 && shares.between < 0.5 && smooth <= 2.0 * scarcer;
 }
 
 bool is_grey(const Image8& image) {

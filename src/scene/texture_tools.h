@@ -11,11 +11,12 @@ struct AlphaShares {
   double clear = 0.0;  // below 1/8
   double solid = 0.0;  // above 7/8
   double between = 0.0;
+  double edges = 0.0;  // of those between: both a clear and a solid texel lie within two texels
   double holes = 0.0;  // below 1/2, where alpha tests cut
 };
 AlphaShares alpha_shares(const Image8& image);
-// Whether such a channel looks like a cut-out: bimodal, most texels either clear or solid, as of a leaf on its sheet. A smooth
-// channel (gloss, height, a tint) is none, nor one without a clear or a solid texel.
+// Whether such a channel looks like a cut-out: bimodal, most texels either clear or solid, as of a leaf on its sheet; and what
+// lies between is the edge of that. A smooth channel (gloss, height, a tint) is none, nor one without a clear or a solid texel.
 bool is_cut_out(const AlphaShares& shares);
 
 bool is_grey(const Image8& image);  // red = green = blue everywhere

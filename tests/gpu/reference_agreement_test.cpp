@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/warning_watch.h"
 #include "lab/experiment/reference_set.h"
 #include "reference/pipeline_reference.h"
 #include "support/paths.h"
@@ -126,10 +127,11 @@ TEST(ReferenceAgreement, RayTracedIsExactlyThePipelineReference) {
   }
 }
 
-std::unique_ptr<Session> small_session(const char* kind) {
+std::unique_ptr<Session> small_session(const char* kind, std::vector<std::string> casts = {}) {
   ViewOptions options;
   options.scene = "chart/slab";
   options.size = {64, 48};
+  options.casts = std::move(casts);
   Settings settings;
   settings.assign(fmt::format("reference.kind={}", kind));
   auto session = std::make_unique<Session>(device(), options, settings);
@@ -157,18 +159,62 @@ TEST(ReferenceRefuses, OtherTrianglesThanTheRasteriserDraws) {
   EXPECT_NE(message.find("14 are drawn"), std::string::npos) << message;
 }
 
-TEST(ReferenceRefuses, AnEmptySetOfCasters) {
+TEST(ReferenceRefuses, AnEmptySetWhereSomethingIsDrawn) {
   const auto session = small_session("embree");
   auto& scene = const_cast<Scene&>(session->scene());
   for (Object& object : scene.objects) object.casts = false;
   const std::string message = test::error_of([&] { make_references(*session); }, ExitCode::failure);
   EXPECT_NE(message.find("0 triangles"), std::string::npos) << message;
+}
 
-  Scene lit = test::scene_with({test::floor_part(2.0f)});
-  lit.objects[0].casts = false;
-  const GpuScene gpu_scene(device(), lit);
-  const std::string empty = test::error_of([&] { AccelerationStructure(device(), gpu_scene); }, ExitCode::failure);
-  EXPECT_NE(empty.find("no object casts"), std::string::npos) << empty;
+TEST(ReferenceAgreement, WhereNothingCastsAllIsLit) {
+  for (const char* kind : {"embree", "pipeline"}) {
+    if (std::string_view(kind) == "pipeline" && !device().info().ray_tracing) continue;
+    const WarningWatch watch;
+    const auto session = small_session(kind, {"*=off"});
+    ASSERT_EQ(watch.texts().size(), 1u);
+    EXPECT_NE(watch.texts()[0].find("nothing casts a shadow"), std::string::npos) << watch.texts()[0];
+    EXPECT_NE(watch.texts()[0].find("--cast"), std::string::npos);
+    EXPECT_NE(watch.texts()[0].find("scene.blend_casts"), std::string::npos);
+    EXPECT_EQ(rasterised_caster_triangles(*session), 0u);
+    const ReferenceResult hard = make_references(*session).lights.at(0).hard;
+    size_t receivers = 0;
+    for (size_t i = 0; i < hard.visibility.size(); ++i) {
+      if (!hard.receiver[i]) continue;
+      ++receivers;
+      EXPECT_EQ(hard.visibility[i], 1.0f) << kind;
+    }
+    EXPECT_GT(receivers, hard.visibility.size() / 4) << kind;
+  }
+}
+
+// No projection may fit its maps to an empty box, and no filter read anything but light from them.
+TEST(ReferenceAgreement, WhereNothingCastsEveryTechniqueShowsLight) {
+  for (const LightKind kind : {LightKind::directional, LightKind::point, LightKind::spot}) {
+    Scene scene = test::scene_with({test::floor_part(3.0f), test::box_part({-0.5f, 0, -0.5f}, {0.5f, 1, 0.5f})});
+    for (Object& object : scene.objects) object.casts = false;
+    scene.cameras.push_back(look_at("above", {3, 4, 3}, {0, 0, 0}, 50.0));
+    Light light = test::make_sun({-0.3f, -1, 0.2f});
+    light.kind = kind;
+    if (kind != LightKind::directional) light.position = {0.3f, 3, 0.2f}, light.range = 9.0f;
+    scene.lights = {light};
+    View view(std::move(scene), {32, 24});
+    view.draw();
+    const ReferenceResult reference =
+        EmbreeReference(view.scene())
+            .trace(view.frame().read_points(), view.frame().camera().eye_ws, view.scene().lights[0], false, 1, 1);
+    for (const TechniqueSpec& spec : all_techniques()) {
+      // Each projection once and, under the sun, each filter once: the others are made of the same.
+      const bool filters = kind == LightKind::directional && spec.name.starts_with("single/");
+      const bool once = filters || spec.name.ends_with("/hard") || spec.name.find('/') == spec.name.npos;
+      if (!once || !spec.supports(kind)) continue;
+      if (spec.name == "ray_traced" && !device().info().ray_tracing) continue;
+      const auto mask = test::run_technique(view, spec, spec.default_settings()).mask;
+      float darkest = 1.0f;
+      for (size_t i = 0; i < mask.size(); ++i) darkest = reference.receiver[i] ? std::min(darkest, mask[i]) : darkest;
+      EXPECT_GE(darkest, 0.999f) << spec.name << " " << light_kind_name(kind);
+    }
+  }
 }
 
 }  // namespace

@@ -61,6 +61,21 @@ TEST(UpAxis, GltfWithLightAndCamera) {
   EXPECT_EQ(scene.bounds().min, vec3(0, 0, -1)) << "the file's y";
 }
 
+TEST(UpAxis, LampsTurnWithTheirPlaces) {
+  Scene scene;
+  scene.materials.emplace_back();
+  for (const LightKind kind : {LightKind::point, LightKind::spot}) {
+    Light lamp;
+    lamp.kind = kind;
+    lamp.position = {1, 2, 3};
+    lamp.direction = {0, 0, -1};
+    scene.lights.push_back(lamp);
+  }
+  finish_file_scene(scene, with_up(up_z));
+  for (const Light& lamp : scene.lights) EXPECT_EQ(lamp.position, vec3(1, 3, -2));
+  EXPECT_EQ(scene.lights[1].direction, vec3(0, -1, 0));
+}
+
 std::string hint_of(const vec3& size, const SceneFileOptions& options = {}) {
   const std::string text = fmt::format("v 0 0 0\nv {} 0 0\nv 0 {} 0\nv 0 0 {}\nf 1 2 3\nf 1 2 4\n", size.x, size.y, size.z);
   testing::internal::CaptureStderr();

@@ -59,6 +59,20 @@ TEST(GltfCurve, CubicSplinePassesItsKeysWithItsTangents) {
   for (const double t : {1.25, 2.0, 2.5, 2.9}) EXPECT_NEAR(curve.at(t)[0], t * t * t, 1e-5) << t;
 }
 
+// Files hold quaternions of bytes and shorts, which are never quite unit; weights of such lengths would change the pace.
+TEST(GltfCurve, RotationsOfAnyLengthTurnAtTheSamePace) {
+  const float half = std::sqrt(0.5f);
+  GltfCurve curve{.interpolation = Interpolation::linear,
+                  .rotation = true,
+                  .times = {0, 1},
+                  .width = 4,
+                  .values = {0, 0, 0, 1, half, 0, 0, half}};  // a quarter turn about x
+  const std::vector<float> unit = curve.at(0.3);
+  EXPECT_NEAR(unit[0], std::sin(0.3f * k_pi / 4.0f), 1e-6f);
+  for (size_t c = 0; c < 4; ++c) curve.values[c] *= 0.5f, curve.values[4 + c] *= 1.5f;
+  for (size_t c = 0; c < 4; ++c) EXPECT_NEAR(curve.at(0.3)[c], unit[c], 1e-6f) << c;
+}
+
 TEST(GltfCurve, RotationsTakeTheShorterWayAtAnEvenPace) {
   const float angle = 1.2f;
   const auto about_y = [](float a) { return vec4(0, std::sin(0.5f * a), 0, std::cos(0.5f * a)); };

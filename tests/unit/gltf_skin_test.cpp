@@ -126,6 +126,53 @@ TEST(GltfSkin, MirroredSkeletonsKeepTheirFront) {
   for (const vec3& n : scene.meshes.at(0).parts.at(0).normals) EXPECT_EQ(n, vec3(0, 0, 1));
 }
 
+// A mirror turns the handedness of tangent and bitangent around: without it normal maps would bend the light the other way.
+TEST(GltfSkin, MirroredSkinsTurnTheHandednessOfTheirTangents) {
+  const SkinInfluences influences{.per_vertex = 1, .joints = {0, 0, 0}, .weights = {1, 1, 1}};
+  for (const float side : {1.0f, -1.0f}) {
+    MeshPart part;
+    part.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    part.normals.assign(3, {0, 0, 1});
+    part.tangents = {{1, 0, 0, 1}, {1, 0, 0, -1}, {1, 0, 0, 1}};
+    part.indices = {0, 1, 2};
+    const std::vector<vec4> before = part.tangents;
+    EXPECT_FALSE(apply_skin(part, influences, std::vector<mat4>{glm::scale(mat4(1.0f), vec3(side, 1, 1))}));
+    for (size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(vec3(part.tangents[i]), vec3(side, 0, 0));
+      EXPECT_EQ(part.tangents[i].w, side * before[i].w);
+      // The bitangent lies where the skin carries the old one.
+      const vec3 bitangent = glm::cross(glm::normalize(part.normals[i]), vec3(part.tangents[i])) * part.tangents[i].w;
+      EXPECT_EQ(bitangent, vec3(0, before[i].w, 0)) << i;
+    }
+  }
+}
+
+// Rounding leaves last rows as (0, 0, 1e-3, 0.999): they would pull vertices toward the origin.
+TEST(GltfSkin, InverseBindMatricesAreAffine) {
+  Leg leg;
+  mat4 hip(1.0f), knee = moved({0, -1, 0});
+  hip[2].w = 0.25f, hip[3].w = 0.5f, knee[0].w = -0.125f, knee[3].w = 2.0f;
+  leg.b.root["skins"][0]["inverseBindMatrices"] = leg.b.matrices({hip, knee});
+  leg.b.root["nodes"][1]["translation"] = {3, 0, 0};
+  const Scene scene = leg.b.load();
+  EXPECT_EQ(scene.bounds().min, vec3(3, 0, 0));
+  EXPECT_EQ(scene.bounds().max, vec3(4, 2, 0));
+}
+
+// Vertices that no triangle has are left out where the file is read: messages count as the file does.
+TEST(GltfSkin, MessagesNumberVerticesAsTheFileDoes) {
+  Leg leg;
+  leg.b.root["meshes"][0]["primitives"][0]["indices"] = leg.b.indices({2, 3, 4, 3, 5, 4});  // without 0 and 1
+  json& skin = leg.b.root["skins"][0];
+  const json joints = skin["joints"];
+  skin["joints"] = {1};
+  EXPECT_NE(leg.b.error().find("a joint of vertex 2 is not among the 1"), std::string::npos) << leg.b.error();
+  skin["joints"] = joints;
+  leg.b.root["nodes"][2]["scale"] = {3e38, 3e38, 3e38};
+  leg.b.root["nodes"][1]["scale"] = {3e38, 3e38, 3e38};
+  EXPECT_NE(leg.b.error().find("meshes[0].primitives[0]: the pose moves vertex 2 "), std::string::npos) << leg.b.error();
+}
+
 TEST(GltfSkin, DamageIsReportedWithItsPlace) {
   const auto error_with = [](const std::function<void(Leg&)>& damage) {
     Leg leg;
@@ -164,14 +211,24 @@ TEST(GltfSkin, WithoutJointsOrWeightsItIsSaid) {
   const WarningWatch watch;
   EXPECT_EQ(leg.b.load().bounds().max, vec3(101, 102, 100)) << "placed like any other";
   ASSERT_EQ(watch.texts().size(), 1u);
-  EXPECT_TRUE(watch.texts()[0].starts_with("test.gltf: nodes[0]: has a skin, but")) << watch.texts()[0];
+  EXPECT_TRUE(watch.texts()[0].starts_with("test.gltf: nodes[0]: has a skin, but meshes[0].primitives[0] names no joints"))
+      << watch.texts()[0];
+
+  Leg half;
+  json second = half.b.root["meshes"][0]["primitives"][0];
+  second["attributes"].erase("JOINTS_0"), second["attributes"].erase("WEIGHTS_0");
+  half.b.root["meshes"][0]["primitives"].push_back(second);
+  EXPECT_EQ(half.b.load().bounds().max, vec3(101, 102, 100));
+  ASSERT_EQ(watch.texts().size(), 2u);
+  EXPECT_TRUE(watch.texts()[1].starts_with("test.gltf: nodes[0]: has a skin, but meshes[0].primitives[1] names no joints"))
+      << watch.texts()[1];
 
   Leg loose;
   loose.attributes["WEIGHTS_0"] = loose.b.vec4s(std::vector<vec4>(6, vec4(0.0f)));
   loose.b.root["meshes"][0]["primitives"][0]["attributes"] = loose.attributes;
   loose.b.load();
-  ASSERT_EQ(watch.texts().size(), 2u);
-  EXPECT_TRUE(watch.texts()[1].find("6 vertices have no weights") != std::string::npos) << watch.texts()[1];
+  ASSERT_EQ(watch.texts().size(), 3u);
+  EXPECT_TRUE(watch.texts()[2].find("6 vertices have no weights") != std::string::npos) << watch.texts()[2];
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -411,6 +412,33 @@ TEST(Gltf, Cameras) {
   EXPECT_EQ(scene.cameras[1].half_height, 2.0f);
   EXPECT_GT(scene.cameras[2].far, 1000.0f) << "an infinite projection ends behind the scene";
   EXPECT_LT(scene.cameras[2].far, 1100.0f);
+}
+
+// Nothing may look at all materials, skins or nodes for each of as many meshes or nodes: that took a minute.
+TEST(Gltf, ManyThousandMaterialsSkinsAndNodesLoadInSeconds) {
+  constexpr int k_many = 16000;
+  GltfBuilder b;
+  const int corners = b.positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  const json joints = {{"POSITION", corners},
+                       {"JOINTS_0", b.accessor(std::vector<uint8_t>(12, 0), "VEC4", test_files::k_ubyte, 3)},
+                       {"WEIGHTS_0", b.vec4s(std::vector<vec4>(3, vec4(1, 0, 0, 0)))}};
+  const int skinned = b.mesh(joints);
+  json scene = json::array();
+  for (int i = 0; i < k_many; ++i) {
+    b.add("materials", {{"name", fmt::format("m{}", i)}});
+    const int mesh = b.mesh({{"POSITION", corners}}, -1, {{"material", i}});
+    b.add("skins", {{"joints", {3 * i}}});
+    for (const json& node : {json{{"translation", {i, 0, 0}}}, json{{"mesh", mesh}}, json{{"mesh", skinned}, {"skin", i}}})
+      scene.push_back(b.add("nodes", node));
+  }
+  b.root["scenes"] = {{{"nodes", scene}}};
+  const std::string text = b.gltf();
+  const auto start = std::chrono::steady_clock::now();
+  const Scene loaded = GltfBuilder::load_text(text);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(loaded.objects.size(), size_t{2} * k_many);
+  EXPECT_EQ(loaded.bounds().max.x, static_cast<float>(k_many));
+  EXPECT_LT(time.count(), 10.0);
 }
 
 }  // namespace

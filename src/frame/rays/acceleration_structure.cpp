@@ -69,11 +69,11 @@ AccelerationStructure::AccelerationStructure(Device& device, const GpuScene& sce
     instances.push_back(instance);
     triangle_count_ += item.index_count / 3;
   }
-  if (instances.empty()) fail("{}: no object casts a shadow: the reference would be empty", scene.scene().name);
 
-  instances_ = Buffer(device, "instances", instances.size() * sizeof(instances[0]), BufferMemory::device,
+  // Room for one even where nothing casts: no buffer is empty.
+  instances_ = Buffer(device, "instances", std::max<size_t>(instances.size(), 1) * sizeof(instances[0]), BufferMemory::device,
                       VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR);
-  upload(device, instances_, std::as_bytes(std::span(instances)));
+  if (!instances.empty()) upload(device, instances_, std::as_bytes(std::span(instances)));
   bytes_ += instances_.bytes();
   VkAccelerationStructureGeometryKHR geometry = {VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR};
   geometry.geometryType = VK_GEOMETRY_TYPE_INSTANCES_KHR;

@@ -8,8 +8,8 @@ namespace gnomon {
 
 class AccelerationStructure {
  public:
-  // One bottom level per mesh part, one instance per casting item. Throws Error (device) where the device cannot trace rays,
-  // failure when the scene has no caster: an empty structure would make everything look lit.
+  // One bottom level per mesh part, one instance per casting item; without casters an empty top level, and every ray arrives.
+  // Throws Error (device) where the device cannot trace rays.
   AccelerationStructure(Device& device, const GpuScene& scene);
   AccelerationStructure(const AccelerationStructure&) = delete;
   AccelerationStructure& operator=(const AccelerationStructure&) = delete;

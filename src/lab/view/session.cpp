@@ -41,6 +41,15 @@ void warn_of_coarse_coordinates(const Scene& scene) {
   }
 }
 
+// Rarely what is wanted, and the picture alone would not tell it from shadows that are lost.
+void warn_where_nothing_casts(const Scene& scene, const GpuScene& gpu_scene) {
+  if (gpu_scene.caster_triangles() > 0) return;
+  log_warning(
+      "{}: nothing casts a shadow, so everything is lit; --cast GLOB=on, or scene.blend_casts=opaque for blended materials, "
+      "makes it cast",
+      scene.name);
+}
+
 void check_lights_named(std::span<const Light> lights, const Settings& settings) {
   for (const std::string& name : settings.lights_named()) {
     const bool chosen = std::any_of(lights.begin(), lights.end(), [&](const Light& light) { return light.name == name; });
@@ -76,6 +85,7 @@ Session::Session(Device& device, const ViewOptions& options, Settings settings, 
   warn_of_suns_below_horizon(lights_);
   check_lights_named(lights_, settings_);
   gpu_scene_ = std::make_unique<GpuScene>(device_, scene_);
+  warn_where_nothing_casts(scene_, *gpu_scene_);
   record_light(lights_.front(), settings_);
   make_frame(lights_);
 }
@@ -130,6 +140,7 @@ void Session::change_casting(const std::vector<std::string>& casts) {
   apply_casting(scene_, casts);
   context_.reset(), frame_.reset();  // both know the old casters
   gpu_scene_ = std::make_unique<GpuScene>(device_, scene_);
+  warn_where_nothing_casts(scene_, *gpu_scene_);
   options_.casts = casts;
 }
 

@@ -33,7 +33,7 @@ class EmbreeReference {
   // scrambled (0,2)-sequence (base/glsl/sampling.glsl), scrambled per pixel by `seed`. `eye_ws` is the camera's position, from
   // which the points were reconstructed (their rounding error grows with the distance). Uses all cores; shows progress. The
   // same input gives the same bits, whatever the number of threads. What counts is in base/glsl/light_sampling.glsl. Throws
-  // Error without a caster or with a point that is not finite. Points of one pixel (one after the other) share their sequence.
+  // Error with a point that is not finite. Points of one pixel (one after the other) share their sequence.
   ReferenceResult trace(std::span<const SurfacePoint> points, const vec3& eye_ws, const Light& light, bool area, int samples,
                         uint32_t seed) const;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/hermite.h"
 #include "base/log.h"
 
 namespace gnomon {
@@ -25,12 +26,6 @@ void make_unit(std::vector<float>& rotation) {
 std::vector<float> slerped(const float* from, const float* to, float t) {
   const glm::quat q = glm::slerp(glm::normalize(to_quat(from)), glm::normalize(to_quat(to)), t);  // the shorter way round
   return {q.x, q.y, q.z, q.w};
-}
-
-// Hermite, with tangents per second.
-float hermite(float p0, float m0, float p1, float m1, float t) {
-  const float t2 = t * t, t3 = t2 * t;
-  return (2 * t3 - 3 * t2 + 1) * p0 + (t3 - 2 * t2 + t) * m0 + (3 * t2 - 2 * t3) * p1 + (t3 - t2) * m1;
 }
 
 class AnimationReader {

@@ -39,6 +39,12 @@ const json& GltfValue::require(std::string_view key) const {
   return *value;
 }
 
+const json* GltfValue::find_array(std::string_view key) const {
+  const json* value = find(key);
+  if (value && !value->is_array()) fail_in(key, "is {}; valid: an array of objects", found(*value));
+  return value;
+}
+
 bool GltfValue::has(std::string_view key) const { return find(key) != nullptr; }
 
 std::optional<GltfValue> GltfValue::object(std::string_view key) const {
@@ -55,14 +61,22 @@ GltfValue GltfValue::required_object(std::string_view key) const {
 
 std::vector<GltfValue> GltfValue::objects(std::string_view key) const {
   std::vector<GltfValue> result;
-  const json* value = find(key);
-  if (!value) return result;
-  if (!value->is_array()) fail_in(key, "is {}; valid: an array of objects", found(*value));
-  result.reserve(value->size());
-  for (size_t i = 0; i < value->size(); ++i) {
-    result.emplace_back((*value)[i], *file_, fmt::format("{}[{}]", where(key), i));
-    if (!(*value)[i].is_object()) result.back().fail_here("is {}; valid: an object", found((*value)[i]));
-  }
+  const size_t elements = count(key);
+  result.reserve(elements);
+  for (size_t i = 0; i < elements; ++i) result.push_back(element(key, i));
+  return result;
+}
+
+size_t GltfValue::count(std::string_view key) const {
+  const json* value = find_array(key);
+  return value ? value->size() : 0;
+}
+
+GltfValue GltfValue::element(std::string_view key, size_t index) const {
+  const json* value = find_array(key);
+  GNOMON_ASSERT(value && index < value->size());
+  GltfValue result((*value)[index], *file_, fmt::format("{}[{}]", where(key), index));
+  if (!result.value_->is_object()) result.fail_here("is {}; valid: an object", found(*result.value_));
   return result;
 }
 

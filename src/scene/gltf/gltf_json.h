@@ -43,6 +43,10 @@ class GltfValue {
   GltfValue required_object(std::string_view key) const;
   std::vector<GltfValue> objects(std::string_view key) const;
   std::optional<GltfValue> extension(std::string_view name) const;
+  // Of that array, without the places of its elements, whose text costs more than all else: what asks for each of n others may
+  // ask for this, but not for objects().
+  size_t count(std::string_view key) const;
+  GltfValue element(std::string_view key, size_t index) const;  // an object that is there
 
   // Numbers within [low, high].
   double number(std::string_view key, double otherwise, double low = -k_any, double high = k_any) const;
@@ -72,6 +76,7 @@ class GltfValue {
   [[noreturn]] void fail_at(const std::string& place, const std::string& what) const;
   const nlohmann::json* find(std::string_view key) const;
   const nlohmann::json& require(std::string_view key) const;
+  const nlohmann::json* find_array(std::string_view key) const;
   int to_index(const nlohmann::json& value, const std::string& place, size_t count, std::string_view of) const;
   double to_number(const nlohmann::json& value, const std::string& place, double low, double high) const;
   uint64_t to_integer(const nlohmann::json& value, const std::string& place, uint64_t low, uint64_t high) const;

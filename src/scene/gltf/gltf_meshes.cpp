@@ -56,7 +56,7 @@ class Primitive {
   // nullopt where there is nothing to draw as triangles.
   std::optional<GltfPart> read() {
     const auto mode = static_cast<Mode>(json_.integer("mode", k_triangles, k_points, k_fan));
-    const int material = json_.index("material", document_.root().objects("materials").size(), "materials");
+    const int material = json_.index("material", document_.root().count("materials"), "materials");
     const GltfValue attributes = json_.required_object("attributes");
     for (const auto& [name, accessor] : attributes.named_indices(accessors_.count(), "accessors"))
       accessor_of_[name] = accessor;
@@ -79,6 +79,7 @@ class Primitive {
     if (has("COLOR_0")) part.colours = colours();
     for (const GltfValue& target : json_.objects("targets")) result.targets.push_back(read_target(target));
     if (has("JOINTS_0")) result.influences = read_influences();
+    result.file_vertices = std::move(used_);
     return result;
   }
 

@@ -17,7 +17,8 @@ struct GltfPart {
   MeshPart part;
   std::vector<MorphTarget> targets;
   SkinInfluences influences;
-  std::string place;  // of its primitive
+  std::vector<uint32_t> file_vertices;  // which of the file's vertices these are, for messages
+  std::string place;                    // of its primitive
 };
 
 struct GltfMesh {

@@ -47,7 +47,7 @@ class Nodes {
         Scene& scene)
       : document_(document), accessors_(accessors), meshes_(std::move(meshes)), scene_(scene), hierarchy_(document) {
     const GltfValue root = document.root();
-    skin_count_ = root.objects("skins").size();
+    skin_count_ = root.count("skins");
     for (const GltfValue& camera : root.objects("cameras")) cameras_.push_back(read_gltf_camera(camera));
     if (const auto lights = root.extension("KHR_lights_punctual")) {
       for (const GltfValue& light : lights->objects("lights")) lights_.push_back(read_gltf_light(light));
@@ -148,11 +148,11 @@ class Nodes {
     for (const GltfPart& part : source.parts) targets = std::max(targets, part.targets.size());
     pose.weights.resize(std::min(pose.weights.size(), targets));
     while (!pose.weights.empty() && pose.weights.back() == 0.0f) pose.weights.pop_back();
-    const bool has_joints =
-        std::none_of(source.parts.begin(), source.parts.end(), [](const GltfPart& part) { return part.influences.empty(); });
-    if (pose.skin >= 0 && !has_joints) {
-      log_warning("{}: {}: has a skin, but its mesh names no joints (JOINTS_0); it is placed like any other", document_.name(),
-                  json.place());
+    const auto rigid =
+        std::find_if(source.parts.begin(), source.parts.end(), [](const GltfPart& part) { return part.influences.empty(); });
+    if (pose.skin >= 0 && rigid != source.parts.end()) {
+      log_warning("{}: {}: has a skin, but {} names no joints (JOINTS_0); the whole mesh is placed like any other",
+                  document_.name(), json.place(), rigid->place);
       pose.skin = -1;
     }
     return pose;
@@ -162,9 +162,15 @@ class Nodes {
     const auto [entry, is_new] =
         mesh_index_.try_emplace(std::tuple(pose.mesh, pose.skin, pose.weights), static_cast<int>(poses_.size()));
     if (!is_new) return entry->second;
-    if (pose.skin >= 0)
-      pose.world_from_bind = world_from_bind(read_gltf_skin(document_, accessors_, pose.skin), world_from_nodes_);
+    if (pose.skin >= 0) pose.world_from_bind = joints_of(pose.skin);
     poses_.push_back(std::move(pose));
+    return entry->second;
+  }
+
+  // Once for all that a skin carries: hundreds of nodes may share one of hundreds of joints.
+  std::span<const mat4> joints_of(int skin) {
+    const auto [entry, is_new] = world_from_bind_.try_emplace(skin);
+    if (is_new) entry->second = world_from_bind(read_gltf_skin(document_, accessors_, skin), world_from_nodes_);
     return entry->second;
   }
 
@@ -218,6 +224,7 @@ class Nodes {
   size_t skin_count_ = 0;
   std::vector<Camera> cameras_;
   std::vector<Light> lights_;
+  std::map<int, std::vector<mat4>> world_from_bind_;                    // of each skin's joints
   std::vector<GltfPose> poses_;                                         // of the scene's meshes, one each
   std::map<std::tuple<int, int, std::vector<float>>, int> mesh_index_;  // mesh, skin, weights -> of the scene
 };

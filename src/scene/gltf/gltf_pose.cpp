@@ -16,13 +16,14 @@ void bend(const GltfDocument& document, const GltfPart& source, const GltfPose& 
   if (pose.skin >= 0) {
     if (const auto vertex = apply_skin(part, source.influences, pose.world_from_bind)) {
       fail("{}: {}.attributes.JOINTS_n: a joint of vertex {} is not among the {} of its skin", document.name(), source.place,
-           *vertex, pose.world_from_bind.size());
+           source.file_vertices[*vertex], pose.world_from_bind.size());
     }
   }
   for (size_t i = 0; i < part.positions.size(); ++i) {
     const vec3& p = part.positions[i];
     if (!std::isfinite(p.x + p.y + p.z))
-      fail("{}: {}: the pose moves vertex {} beyond what a number can hold", document.name(), source.place, i);
+      fail("{}: {}: the pose moves vertex {} beyond what a number can hold", document.name(), source.place,
+           source.file_vertices[i]);
   }
 }
 

@@ -1,6 +1,7 @@
 // The shapes that nodes give to meshes: morph targets and skins, evaluated where the file is read.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/gltf/gltf_meshes.h"
@@ -12,7 +13,7 @@ struct GltfPose {
   int mesh = 0;
   std::vector<float> weights;  // of its morph targets
   int skin = -1;
-  std::vector<mat4> world_from_bind;  // of the skin's joints, where there is one; vertices are then in world space
+  std::span<const mat4> world_from_bind;  // of the skin's joints, where there is one; vertices are then in world space
 };
 
 // A finished mesh (scene/finish_part.h) for each pose. Refuses joints that the skin does not have and shapes beyond what floats

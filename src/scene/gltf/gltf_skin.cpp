@@ -53,9 +53,9 @@ size_t normalise(SkinInfluences& influences) {
 }
 
 GltfSkin read_gltf_skin(const GltfDocument& document, const GltfAccessors& accessors, int skin) {
-  const GltfValue root = document.root(), json = root.objects("skins")[static_cast<size_t>(skin)];
+  const GltfValue root = document.root(), json = root.element("skins", static_cast<size_t>(skin));
   GltfSkin result;
-  result.joints = json.indices("joints", root.objects("nodes").size(), "nodes");
+  result.joints = json.indices("joints", root.count("nodes"), "nodes");
   if (result.joints.empty()) json.fail_in("joints", "is empty; valid: at least one node");
   result.joint_from_bind.assign(result.joints.size(), mat4(1.0f));
   const int accessor = json.index("inverseBindMatrices", accessors.count(), "accessors");

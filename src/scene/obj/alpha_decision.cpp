@@ -19,7 +19,7 @@ bool AlphaDecision::cuts(const Image8& picture, const std::string& material) {
 void AlphaDecision::say(const std::string& source) const {
   if (!cut_.empty()) {
     log_warning(
-        "{}: holes taken from the alpha of map_Kd, which is either clear or solid: {} of the picture; "
+        "{}: holes taken from the alpha of map_Kd, which is mostly clear or solid: {} of the picture; "
         "scene.alpha_from_colour=off makes them whole",
         source, first_names(cut_));
   }
