@@ -9,8 +9,8 @@
 namespace gnomon {
 namespace {
 
-// What the picture has to hold, relative to `origin`: the vertices inside the subject's box, or, where they are many, corners of
-// boxes around objects.
+// What the picture has to hold, relative to `origin`: the vertices inside the subject's box, or, where they are many, corners
+// of boxes around objects.
 std::vector<vec3> outline(const Scene& scene, const Subject& subject, const vec3& origin) {
   constexpr size_t k_many = 1 << 18;
   const bool many = 3 * scene.triangle_count() > k_many;

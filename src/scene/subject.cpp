@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "scene/casting.h"
+
 namespace gnomon {
 namespace {
 
@@ -23,9 +25,9 @@ constexpr double k_little = 0.1;
 struct Item {
   Box box;
   size_t object = 0;
-  size_t piece = 0;      // what hangs together has the same number
-  bool sheet = false;    // level and flat
-  double weight = 0.0;   // those of an object add up to the square root of its triangles: one statue of a million is not all
+  size_t piece = 0;     // what hangs together has the same number
+  bool sheet = false;   // level and flat
+  double weight = 0.0;  // those of an object add up to the square root of its triangles: one statue of a million is not all
   bool counts = true;
 };
 
@@ -157,7 +159,9 @@ class Items {
   const Scene& scene_;
 };
 
-float reach(const Box& box, const vec3& from) { return glm::length(glm::max(glm::abs(box.min - from), glm::abs(box.max - from))); }
+float reach(const Box& box, const vec3& from) {
+  return glm::length(glm::max(glm::abs(box.min - from), glm::abs(box.max - from)));
+}
 
 // The weighted median of the pieces' middles. Of two halves far from each other, that at the origin.
 vec3 middle_of(const std::vector<Item>& items) {
@@ -165,7 +169,8 @@ vec3 middle_of(const std::vector<Item>& items) {
   for (const Item& item : items) farthest = std::max(farthest, glm::length(item.box.centre()));
   std::vector<double> weights;
   for (const Item& item : items)
-    weights.push_back(item.weight * (1.1 - 0.1 * static_cast<double>(glm::length(item.box.centre()) / std::max(farthest, 1e-30f))));
+    weights.push_back(item.weight *
+                      (1.1 - 0.1 * static_cast<double>(glm::length(item.box.centre()) / std::max(farthest, 1e-30f))));
   const double half = 0.5 * std::accumulate(weights.begin(), weights.end(), 0.0);
   vec3 middle(0.0f);
   std::vector<size_t> order(items.size());
@@ -196,7 +201,8 @@ void leave_out_strays(std::vector<Item>& items, Subject& subject) {
     const Box& box = items[i].box;
     // The ground around the rest is no stray, however wide.
     const vec3 gap = glm::max(glm::max(box.min - middle, middle - box.max), vec3(0.0f));
-    const bool around = items[i].sheet && gap.x == 0.0f && gap.z == 0.0f && gap.y <= width(box);
+    const bool sliver = std::min(box.extent().x, box.extent().z) * k_farther < width(box);
+    const bool around = items[i].sheet && !sliver && gap.x == 0.0f && gap.z == 0.0f && gap.y <= width(box);
     if (!around) order.emplace_back(reach(box, middle), i);
     if (around) ground = std::min(ground, reach(box, middle));
   }
@@ -320,6 +326,21 @@ Subject find_subject(const Scene& scene) {
   leave_out_strays(items.list, subject);
   Ground(items.list, items.pieces, subject);
   return subject;
+}
+
+Box shadowed_bounds(const Scene& scene) {
+  const bool all_cast = std::all_of(scene.objects.begin(), scene.objects.end(),
+                                    [&](const Object& object) { return object_casts(scene, object); });
+  if (all_cast) return scene.bounds();  // also the quick way
+  const Subject subject = find_subject(scene);
+  Box box;
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    if (subject.stray[i] && !object_casts(scene, object)) continue;
+    const Box placed = transformed(object.world_from_object, scene.meshes[static_cast<size_t>(object.mesh)].bounds());
+    if (!placed.empty()) box.add(placed);
+  }
+  return box;
 }
 
 }  // namespace gnomon

@@ -18,4 +18,7 @@ struct Subject {
 // Found from triangles, not from objects or vertices: one mesh may hold the ground and what stands on it.
 Subject find_subject(const Scene& scene);
 
+// What shadow maps have to reach: all but the strays that cast nothing.
+Box shadowed_bounds(const Scene& scene);
+
 }  // namespace gnomon

@@ -69,6 +69,7 @@ Session::Session(Device& device, const ViewOptions& options, Settings settings, 
   settle_samples(options_, device_.info());
   check_drawable(scene_);
   apply_casting(scene_, options_.casts);
+  warn_of_strays(scene_);
   warn_of_coarse_coordinates(scene_);
   settings_.complete_scene_options(options_.scene);
   camera_ = choose_camera(scene_, options_, settings_);
