@@ -360,6 +360,16 @@ TEST(LoadScene, MissingFileIsAFailureThatNamesThePath) {
   }
 }
 
+TEST(LoadScene, WhatOnlyGltfHasIsRefusedForObj) {
+  SceneFileOptions scenes, animation, time;
+  scenes.gltf_scene = "0", animation.animation = "run", time.params.time = 1.5f;
+  for (const auto& [options, says] :
+       {std::pair(scenes, "--gltf-scene 0"), {animation, "--animation run"}, {time, "--time 1.5"}}) {
+    const std::string message = error_of([&, given = options] { load_scene("/nowhere/scene.obj", {}, given); });
+    EXPECT_NE(message.find(says), std::string::npos) << message;
+  }
+}
+
 TEST(LoadScene, OptionsAreChecked) {
   EXPECT_THROW(load_scene("/nowhere/scene.obj", {{"gap", 1.0}}), Error);
   for (const BuiltinScene& scene : builtin_scenes()) {
