@@ -9,6 +9,7 @@
 #include "frame/texture_upload.h"
 #include "frame/upload_vector.h"
 #include "scene/plane_extent.h"
+#include "scene/subject.h"
 
 namespace gnomon {
 namespace {
@@ -32,7 +33,7 @@ VertexAttributes pack_vertex(const MeshPart& part, size_t i) {
 }  // namespace
 
 GpuScene::GpuScene(Device& device, const Scene& scene) : device_(device), scene_(scene) {
-  bounds_ = scene.bounds();
+  bounds_ = shadowed_bounds(scene);
   plane_extent_ = gnomon::plane_extent(scene);
   upload_textures();
   upload_materials();

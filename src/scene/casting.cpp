@@ -15,15 +15,26 @@ namespace {
 struct Rule {
   std::string glob;
   bool on = true;
-  bool fits(const std::string& name) const { return fnmatch(glob.c_str(), name.c_str(), 0) == 0; }
+  bool literal = false;
+  bool fits(const std::string& name) const { return literal ? glob == name : fnmatch(glob.c_str(), name.c_str(), 0) == 0; }
 };
 
+// Names may have the letters of globs ("nodes[3]"): what is the name of something means that.
+bool is_name(const Scene& scene, const std::string& text) {
+  const auto has_it = [&](const auto& item) { return item.name == text; };
+  return std::any_of(scene.objects.begin(), scene.objects.end(), has_it) ||
+         std::any_of(scene.materials.begin(), scene.materials.end(), has_it);
+}
+
+std::string place(const std::string& source) { return source.empty() ? "--cast" : source + ": 'casts':"; }
+
 // The last '=' parts them: names may have others.
-Rule parse(const std::string& text) {
+Rule parse(const std::string& text, const std::string& source) {
   const size_t equals = text.rfind('=');
   const std::string answer = equals == text.npos ? "" : text.substr(equals + 1);
   if (equals == text.npos || equals == 0 || (answer != "on" && answer != "off")) {
-    fail_usage("--cast {}: valid: GLOB=on or GLOB=off, where GLOB is a name of objects or materials, with * and ?", text);
+    fail_usage("{} {}: valid: GLOB=on or GLOB=off, where GLOB is a name of objects or materials, or has *, ? or [...]",
+               place(source), text);
   }
   return {text.substr(0, equals), answer == "on"};
 }
@@ -60,13 +71,24 @@ std::vector<NamedCast> named(const std::vector<Item>& items, std::span<const Rul
 
 }  // namespace
 
-void apply_casting(Scene& scene, std::span<const std::string> texts) {
+void check_cast_rule(const std::string& rule, const std::string& source) { parse(rule, source); }
+
+void apply_casting(Scene& scene, std::span<const std::string> texts, const CastSources& sources) {
+  const auto source_of = [&](const std::string& text) {
+    const auto found = sources.find(text);
+    return found == sources.end() ? std::string() : found->second;
+  };
   std::vector<Rule> rules;
-  for (const std::string& text : texts) rules.push_back(parse(text));
+  for (const std::string& text : texts) {
+    rules.push_back(parse(text, source_of(text)));
+    rules.back().literal = is_name(scene, rules.back().glob);
+  }
   std::vector<bool> used(rules.size(), false);
   const auto of_objects = named(scene.objects, rules, used), of_materials = named(scene.materials, rules, used);
   for (size_t r = 0; r < rules.size(); ++r) {
-    if (!used[r]) fail_usage("--cast {}: nothing has such a name in {}; there are {}", texts[r], scene.name, some_names(scene));
+    if (!used[r])
+      fail_usage("{} {}: nothing has such a name in {}; there are {}", place(source_of(texts[r])), texts[r], scene.name,
+                 some_names(scene));
   }
   for (size_t i = 0; i < scene.objects.size(); ++i) scene.objects[i].named_cast = of_objects[i];
   for (size_t i = 0; i < scene.materials.size(); ++i) scene.materials[i].named_cast = of_materials[i];

@@ -7,6 +7,8 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "scene/casting.h"
+#include "scene/subject.h"
 
 namespace gnomon {
 namespace {
@@ -15,8 +17,6 @@ namespace {
 constexpr float k_largest_m = 4e9f;
 // Rays start at least 1.9e-6 m off their surface (base/glsl/sampling.glsl), beyond all that is smaller.
 constexpr float k_smallest_m = 1e-5f;
-// Beyond this many times the distance of most vertices from their middle, a map of 4096 texels has none left for them.
-constexpr float k_stray = 1e4f;
 
 const Mesh& mesh_of(const Scene& scene, const Object& object) { return scene.meshes[static_cast<size_t>(object.mesh)]; }
 
@@ -41,7 +41,6 @@ class Drawable {
       fail("{}: nothing to draw: no triangle has an area; {}", name_,
            size > 0.0f ? "their corners lie on lines" : "all vertices lie at one point, as of a node that is scaled by 0");
     }
-    warn_of_strays();
   }
 
  private:
@@ -93,42 +92,6 @@ class Drawable {
     return false;
   }
 
-  void warn_of_strays() const {
-    constexpr size_t k_samples = 1 << 14;
-    size_t vertices = 0;
-    for (const Object& object : scene_.objects) {
-      for (const MeshPart& part : mesh_of(scene_, object).parts) vertices += part.positions.size();
-    }
-    std::vector<vec3> sample;
-    each_vertex(vertices / k_samples + 1, [&](const Object&, const vec3&, const vec3& world) { sample.push_back(world); });
-    const auto middle_of = [&](const auto& less) {
-      const auto middle = sample.begin() + static_cast<ptrdiff_t>(sample.size() / 2);
-      std::nth_element(sample.begin(), middle, sample.end(), less);
-      return *middle;
-    };
-    vec3 centre;
-    for (int axis = 0; axis < 3; ++axis)
-      centre[axis] = middle_of([axis](const vec3& a, const vec3& b) { return a[axis] < b[axis]; })[axis];
-    const float usual = glm::distance(
-        centre, middle_of([&](const vec3& a, const vec3& b) { return glm::distance(a, centre) < glm::distance(b, centre); }));
-    const Box box = scene_.bounds();
-    if (!(usual > 0.0f) || largest(glm::max(box.max - centre, centre - box.min)) < k_stray * usual) return;
-
-    size_t count = 0;
-    const Object* first = nullptr;
-    vec3 position(0.0f);
-    each_vertex(1, [&](const Object& object, const vec3&, const vec3& world) {
-      if (glm::distance(world, centre) < k_stray * usual) return;
-      if (count++ == 0) first = &object, position = world;
-    });
-    if (!first) return;
-    log_warning(
-        "{}: object '{}' has a vertex at {}, {:.2g} times as far out as most of the scene{}: a shadow map that spans it has no "
-        "texel left for the rest; remove it, or leave it out with --cast",
-        name_, first->name, text(position), glm::distance(position, centre) / usual,
-        count > 1 ? fmt::format(" ({} such vertices)", count) : "");
-  }
-
   const Scene& scene_;
   const std::string& name_;
 };
@@ -136,5 +99,32 @@ class Drawable {
 }  // namespace
 
 void check_drawable(const Scene& scene) { Drawable(scene).check(); }
+
+void warn_of_strays(const Scene& scene) {
+  const Subject subject = find_subject(scene);
+  const Object* first = nullptr;
+  vec3 position(0.0f);
+  float farthest = 0.0f;
+  size_t count = 0;
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    if (!subject.stray[i] || !object_casts(scene, object)) continue;
+    ++count;
+    for (const MeshPart& part : mesh_of(scene, object).parts) {
+      for (const vec3& own : part.positions) {
+        const vec3 p(object.world_from_object * vec4(own, 1.0f));
+        if (const float distance = glm::distance(p, subject.middle); distance > farthest)
+          first = &object, position = p, farthest = distance;
+      }
+    }
+  }
+  if (!first) return;
+  log_warning(
+      "{}: object '{}' reaches to {}, {:.2g} times as far out as the rest of the scene{}: the camera that frames the scene "
+      "leaves that out, but shadow maps span it and are coarse for the rest; remove it, or leave it out of the maps with "
+      "--cast '{}=off'",
+      scene.source.empty() ? scene.name : scene.source, first->name, text(position), farthest / subject.usual_m,
+      count > 1 ? fmt::format(" ({} such objects)", count) : "", first->name);
+}
 
 }  // namespace gnomon

@@ -31,9 +31,9 @@ void turn(Scene& scene, const mat4& turned_from_file) {
 }
 
 // A model whose up is another axis lies on its back: high and wide, and thin along its own up. So is a wall, and nothing in
-// the file tells them apart.
+// the file tells them apart. A figure that stands upright with its arms out is thin, too: a fifth of its height.
 void hint_at_other_up(const Scene& scene) {
-  constexpr float k_thin = 0.25f, k_wide = 0.5f;
+  constexpr float k_thin = 0.15f, k_wide = 0.8f;
   const vec3 extent = scene.bounds().extent();
   // A sheet has no inside that could stand on its back: it is a wall, or a test.
   const bool thin_z = extent.z > 0.0f && extent.z < k_thin * extent.y && extent.x > k_wide * extent.y;

@@ -48,8 +48,18 @@ std::map<std::string, double> complete_options(const BuiltinScene& scene, const 
 std::vector<std::string_view> scene_file_option_names() {
   std::vector<std::string_view> names;
   for (const ParamInfo& info : scene_file_params::param_table_storage()) names.push_back(info.name);
-  names.insert(names.end(), {"gltf_scene", "animation"});
+  for (const SceneFileText& text : k_scene_file_texts) names.push_back(text.name);
   return names;
+}
+
+// What is said of a glTF file, and does nothing for an OBJ.
+void refuse_for_obj(const std::string& path, const SceneFileOptions& options) {
+  const auto refuse = [&](const char* option, const auto& value) {
+    fail_usage("{}: {} {}: an OBJ file has neither scenes nor animations; valid for glTF files", path, option, value);
+  };
+  if (!options.gltf_scene.empty()) refuse("--gltf-scene", options.gltf_scene);
+  if (!options.animation.empty()) refuse("--animation", options.animation);
+  if (options.params.time != 0.0f) refuse("--time", options.params.time);
 }
 
 }  // namespace
@@ -83,6 +93,7 @@ Scene load_scene(const std::string& name_or_path, const std::map<std::string, do
     fail_usage("scene.{}: a scene from a file has no such option; valid: {}", options.begin()->first,
                fmt::join(scene_file_option_names(), ", "));
   }
+  if (is_obj) refuse_for_obj(name_or_path, file_options);
   const WarningLimit limit;
   Scene scene = is_obj ? load_obj(path, file_options) : load_gltf(path, file_options);
   add_default_paths(scene);

@@ -27,6 +27,14 @@ struct SceneFileOptions {
   std::vector<std::string> given;  // names of what the user set, for the message where a scene has none of these
 };
 
+// The options that are texts; the others are in scene/file.params.
+struct SceneFileText {
+  std::string_view name;
+  std::string SceneFileOptions::*value;
+};
+inline constexpr SceneFileText k_scene_file_texts[] = {{"gltf_scene", &SceneFileOptions::gltf_scene},
+                                                       {"animation", &SceneFileOptions::animation}};
+
 // A built-in name ("courtyard", "chart/sphere") or a path to .obj, .gltf or .glb. `options` are the built-in scene's own
 // numbers ("gap" of chart/slab), empty for files. Shows progress. Throws Error: usage for an unknown name or option,
 // failure for a bad file (message: "path:line: what is wrong; what would be valid", or "path: JSON place: ...").

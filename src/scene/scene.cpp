@@ -1,9 +1,7 @@
-// What can be said of a scene as a whole: bounds, counts, its content hash, a camera that shows it.
+// What can be said of a scene as a whole: bounds, counts, its content hash.
 #include "scene/scene.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/file.h"
 
@@ -125,137 +123,6 @@ std::string Scene::content_hash() const {
   hash.all(lights);
   hash.all(cameras);
   return hash.hex();
-}
-
-namespace {
-
-// A place that the picture may have to hold. The weights of an object add up to the square root of its vertices: one statue of
-// a million in a hall is not all that there is to see.
-struct Place {
-  vec3 position;
-  double weight;
-};
-
-// All vertices, or, where they are many, the corners of boxes around meshes; relative to `origin`.
-std::vector<Place> places_of(const Scene& scene, const vec3& origin) {
-  constexpr size_t k_many = 1 << 18;
-  std::vector<std::vector<Place>> of_mesh(scene.meshes.size());
-  const bool many = 3 * scene.triangle_count() > k_many;
-  for (size_t i = 0; i < scene.meshes.size(); ++i) {
-    size_t vertices = 0;
-    for (const MeshPart& part : scene.meshes[i].parts) {
-      vertices += part.positions.size();
-      for (size_t v = 0; v < part.positions.size() && !many; ++v) of_mesh[i].push_back({part.positions[v], 1.0});
-    }
-    const Box box = scene.meshes[i].bounds();
-    for (int k = 0; k < 8 && many && !box.empty(); ++k)
-      of_mesh[i].push_back({box.corner(k), static_cast<double>(vertices) / 8.0});
-  }
-  std::vector<Place> places;
-  for (const Object& object : scene.objects) {
-    for (const Place& place : of_mesh.at(static_cast<size_t>(object.mesh)))
-      places.push_back({vec3(object.world_from_object * vec4(place.position, 1.0f)) - origin, place.weight});
-  }
-  return places;
-}
-
-// Where along an axis all but a hundredth of the weight lies at either end.
-std::pair<float, float> crowd_along(std::vector<Place> places, int axis) {
-  constexpr double k_few = 0.01;
-  std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) { return a.position[axis] < b.position[axis]; });
-  double all = 0.0, passed = 0.0;
-  for (const Place& place : places) all += place.weight;
-  std::pair<float, float> crowd = {places.front().position[axis], places.back().position[axis]};
-  for (const Place& place : places) {
-    if (passed <= k_few * all) crowd.first = place.position[axis];
-    if (passed <= (1.0 - k_few) * all) crowd.second = place.position[axis];
-    passed += place.weight;
-  }
-  return crowd;
-}
-
-// What the picture has to hold. Ground that goes on far beyond all that stands on it, to a horizon, would leave a town some
-// twenty pixels: where the scene is k_wider times as wide as the part that holds nearly all of its vertices, that part is
-// shown.
-std::vector<vec3> outline(const Scene& scene, const vec3& origin) {
-  constexpr float k_wider = 2.5f;
-  const std::vector<Place> places = places_of(scene, origin);
-  std::vector<vec3> points, crowded;
-  if (places.empty()) return points;
-  const auto [x0, x1] = crowd_along(places, 0);
-  const auto [z0, z1] = crowd_along(places, 2);
-  Box all, crowd;
-  for (const Place& place : places) {
-    const vec3& p = place.position;
-    points.push_back(p);
-    all.add(p);
-    if (p.x < x0 || p.x > x1 || p.z < z0 || p.z > z1) continue;
-    crowded.push_back(p);
-    crowd.add(p);
-  }
-  const auto width = [](const Box& box) { return std::max(box.max.x - box.min.x, box.max.z - box.min.z); };
-  return crowded.empty() || width(all) < k_wider * width(crowd) ? points : crowded;
-}
-
-// A camera that looks along -back, and as near as it may be for all points to be in the picture.
-struct Fit {
-  vec3 right, up, back;
-  vec2 centre = vec2(0.0f);  // of the picture, along right and up
-  float distance = 0.0f, nearest = 0.0f;
-
-  Fit(const std::vector<vec3>& points, float azimuth, float elevation, const vec2& tangents)
-      : back(std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)) {
-    right = glm::normalize(glm::cross(vec3(0, 1, 0), back));
-    up = glm::cross(back, right);
-    // Where the planes of the picture's edges touch, as they cross the plane through the origin.
-    constexpr float k_none = std::numeric_limits<float>::lowest();
-    vec2 low(k_none), high(k_none);
-    for (const vec3& point : points) {
-      const vec2 place(glm::dot(point, right), glm::dot(point, up));
-      const float z = glm::dot(point, back);
-      high = glm::max(high, place + z * tangents), low = glm::max(low, z * tangents - place);
-      nearest = std::max(nearest, z);
-    }
-    if (points.empty()) return;
-    centre = 0.5f * (high - low);
-    const vec2 distances = 0.5f * (high + low) / tangents;
-    distance = std::max(distances.x, distances.y);
-  }
-};
-
-}  // namespace
-
-Camera framing_camera(const Scene& scene, float aspect) {
-  // The sun of a scene without lights (lab/view/light.params) stands at its left: shadows are in sight.
-  constexpr float k_elevation = k_pi / 6.0f, k_azimuth = k_pi / 5.0f, k_margin = 1.05f;
-  // What is long lies across the picture where that shows it much larger.
-  constexpr float k_across[] = {k_pi / 18.0f, 8.0f * k_pi / 18.0f}, k_larger = 1.5f;
-  Camera camera;
-  camera.name = "framing";
-  camera.vertical_fov = k_pi / 4.0f;
-  Box box = scene.bounds();
-  if (box.empty()) box.add(vec3(0.0f));
-  // A scene of one point has no size; any view of it will do.
-  float radius = std::max(box.radius(), 1e-3f * glm::length(box.centre()));
-  if (radius == 0.0f) radius = 1.0f;
-
-  const float tan_y = std::tan(0.5f * camera.vertical_fov) / k_margin;
-  const vec2 tangents(tan_y * std::max(aspect, 1e-3f), tan_y);
-  const std::vector<vec3> points = outline(scene, box.centre());
-  Fit fit(points, k_azimuth, k_elevation, tangents);
-  for (const float azimuth : k_across) {
-    const Fit other(points, azimuth, k_elevation, tangents);
-    if (other.distance * k_larger < fit.distance) fit = other;
-  }
-  // A sheet seen edge-on still needs room between it and the eye.
-  const float distance = std::max({fit.distance, fit.nearest + 0.02f * radius, 1e-3f * radius});
-  const vec3 position = box.centre() + fit.centre.x * fit.right + fit.centre.y * fit.up + distance * fit.back;
-  camera.world_from_view = mat4(vec4(fit.right, 0), vec4(fit.up, 0), vec4(fit.back, 0), vec4(position, 1));
-  camera.near = std::max(0.5f * (distance - fit.nearest), 1e-3f * distance);
-  float farthest = 0.0f;  // also of ground that the picture need not hold
-  for (int k = 0; k < 8; ++k) farthest = std::max(farthest, -glm::dot(box.corner(k) - box.centre(), fit.back));
-  camera.far = 1.5f * (distance + farthest);
-  return camera;
 }
 
 }  // namespace gnomon

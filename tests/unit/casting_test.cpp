@@ -103,6 +103,31 @@ TEST(Casting, WhatIsWrongIsAUsageErrorAndChangesNothing) {
   EXPECT_EQ(casting(scene), "####");
 }
 
+TEST(Casting, NamesWithTheLettersOfPatterns) {
+  Scene scene = two_tables();
+  scene.objects[1].name = "nodes[3]", scene.objects[2].name = "nodes3";
+  const auto off = [&](const char* rule) {
+    apply_casting(scene, std::vector<std::string>{rule});
+    return std::string(object_casts(scene, scene.objects[1]) ? "on" : "off") +
+           (object_casts(scene, scene.objects[2]) ? " on" : " off");
+  };
+  EXPECT_EQ(off("nodes[3]=off"), "off on") << "the name itself";
+  EXPECT_EQ(off("nodes[0-9]=off"), "on off") << "no name: a pattern";
+  EXPECT_EQ(off("nodes*=off"), "off off");
+}
+
+TEST(Casting, ARuleOfAFileIsRefusedByThatFile) {
+  Scene scene = two_tables();
+  for (const char* rule : {"chair=off", "chair"}) {
+    try {
+      apply_casting(scene, std::vector<std::string>{rule}, {{rule, "mine.json"}});
+      ADD_FAILURE() << "accepted: " << rule;
+    } catch (const Error& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("mine.json: 'casts': chair")) << error.what();
+    }
+  }
+}
+
 TEST(Casting, AListSwitchesOneNameWhateverItsLetters) {
   Scene scene = two_tables();
   scene.objects[1].name = "a*[b]\\?";

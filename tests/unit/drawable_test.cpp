@@ -7,6 +7,8 @@
 #include "base/warning_watch.h"
 #include "hand_made_scene.h"
 #include "reference/cpu/embree_reference.h"
+#include "scene/casting.h"
+#include "scene/subject.h"
 
 namespace gnomon {
 namespace {
@@ -65,7 +67,7 @@ TEST(Drawable, AVertexBeyondFloatsIsRefusedByItsObjectAndPlace) {
 TEST(Drawable, StraysAreNamedAndLargeGroundsAreNot) {
   const auto warnings = [](const Scene& scene) {
     const WarningWatch watch;
-    check_drawable(scene);
+    warn_of_strays(scene);
     return watch.texts();
   };
   Scene scene = table(1.0f);
@@ -77,8 +79,12 @@ TEST(Drawable, StraysAreNamedAndLargeGroundsAreNot) {
   scene.meshes[1].parts[0].positions[3] = vec3(1e9f, -3, 7);
   const auto texts = warnings(scene);
   ASSERT_EQ(texts.size(), 1u);
-  for (const char* part : {"'table'", "(1e+09, -3, 7)", "--cast"})
+  for (const char* part : {"'table'", "(1e+09, -3, 7)", "--cast 'table=off'"})
     EXPECT_NE(texts[0].find(part), std::string::npos) << texts[0];
+  EXPECT_GT(shadowed_bounds(scene).max.x, 9e8f);
+  apply_casting(scene, std::vector<std::string>{"table=off"});
+  EXPECT_TRUE(warnings(scene).empty()) << "the user knows";
+  EXPECT_LT(shadowed_bounds(scene).max.x, 3000.0f) << "and maps do not reach there";
 }
 
 }  // namespace

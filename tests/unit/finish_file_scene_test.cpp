@@ -86,8 +86,8 @@ std::string hint_of(const vec3& size, const SceneFileOptions& options = {}) {
 TEST(UpAxis, AHintWhereAModelMayLieOnItsBack) {
   EXPECT_NE(hint_of({100, 80, 10}).find("--up z"), std::string::npos) << hint_of({100, 80, 10});
   EXPECT_NE(hint_of({10, 80, 100}).find("--up x"), std::string::npos);
-  for (const vec3& size :
-       {vec3(100, 10, 100), vec3(100, 0, 100), vec3(10, 100, 10), vec3(3, 100, 3), vec3(10, 10, 10), vec3(100, 8, 10)})
+  for (const vec3& size : {vec3(100, 10, 100), vec3(100, 0, 100), vec3(10, 100, 10), vec3(3, 100, 3), vec3(10, 10, 10),
+                           vec3(100, 8, 10), vec3(1.2f, 1.8f, 0.4f), vec3(1.7f, 1.8f, 0.3f)})
     EXPECT_EQ(hint_of(size).find("--up"), std::string::npos) << size.x << " " << size.y << " " << size.z;
   EXPECT_EQ(hint_of({100, 80, 10}, with_up(up_y)).find("--up"), std::string::npos) << "it was said";
 }

@@ -186,41 +186,130 @@ TEST(Scene, FramingCameraFillsThePicture) {
   EXPECT_GT(framed_share(cube, {500, 3, -200}).y, 0.9f) << "and far away";
 }
 
-// Houses on 200 m of a ground that goes on to a horizon: as objects of their own, and all in one.
+// A box, closed, or of no height: a sheet.
+MeshPart box_part(const vec3& centre, const vec3& size) {
+  MeshPart part;
+  for (int i = 0; i < 8; ++i) part.positions.push_back(centre + Box{-0.5f * size, 0.5f * size}.corner(i));
+  part.indices = {0, 5, 4, 0, 1, 5, 2, 6, 7, 2, 7, 3};  // below and above
+  if (size.y > 0.0f)
+    part.indices.insert(part.indices.end(), {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6});
+  return part;
+}
+
+// Each part an object of its own, or all in one mesh.
+Scene scene_of(const std::vector<MeshPart>& parts, bool apart = true) {
+  Scene scene;
+  scene.materials.emplace_back();
+  for (const MeshPart& part : parts) {
+    if (apart || scene.meshes.empty()) {
+      scene.meshes.emplace_back();
+      scene.objects.emplace_back().mesh = static_cast<int>(scene.meshes.size()) - 1;
+    }
+    scene.meshes.back().parts.push_back(part);
+  }
+  return scene;
+}
+
+// How much of a square picture they take, across or up, whichever is more; 0 where the picture cuts them.
+float share_of(const std::vector<MeshPart>& parts, const Camera& camera) {
+  std::vector<vec3> positions;
+  for (const MeshPart& part : parts) positions.insert(positions.end(), part.positions.begin(), part.positions.end());
+  const mat4 view_from_world = glm::inverse(camera.world_from_view);
+  vec2 low(2.0f), high(-2.0f);
+  for (const vec3& position : positions) {
+    const vec3 p(view_from_world * vec4(position, 1.0f));
+    if (-p.z <= camera.near || -p.z >= camera.far) return 0.0f;
+    const vec2 seen = vec2(p) / -p.z / std::tan(camera.vertical_fov / 2);
+    low = glm::min(low, seen), high = glm::max(high, seen);
+  }
+  if (low.x < -1.0f || low.y < -1.0f || high.x > 1.0f || high.y > 1.0f) return 0.0f;
+  return 0.5f * std::max(high.x - low.x, high.y - low.y);
+}
+
+// What stands on a ground that goes on to a horizon is seen, however few its vertices are beside those of the ground.
 TEST(Scene, FramingCameraLeavesOutAFarHorizon) {
-  const auto box_part = [](const vec3& centre, const vec3& size) {
-    MeshPart part;
-    for (int i = 0; i < 8; ++i) part.positions.push_back(centre + Box{-0.5f * size, 0.5f * size}.corner(i));
-    return part;
-  };
+  std::vector<MeshPart> town;
+  for (int x = -5; x <= 5; ++x) {
+    for (int z = -5; z <= 5; ++z)
+      town.push_back(box_part({20.0f * static_cast<float>(x) + 300.0f, 5, 20.0f * static_cast<float>(z)}, vec3(10)));
+  }
+  const std::vector<MeshPart> house = {box_part({300, 5, 20}, vec3(10))};
+  const std::vector<MeshPart> sunk = {box_part({300, 3, 20}, vec3(10))};
+  std::vector<MeshPart> tiles;  // smaller than the house, and no corner shared
+  for (int x = 0; x < 80; ++x) {
+    for (int z = 0; z < 80; ++z)
+      tiles.push_back(
+          box_part({300.0f + 5.0f * static_cast<float>(x - 40), 0, 5.0f * static_cast<float>(z - 40)}, vec3(4.9f, 0, 4.9f)));
+  }
+  MeshPart grid;  // many vertices, a little uneven
+  for (int x = 0; x <= 100; ++x) {
+    for (int z = 0; z <= 100; ++z)
+      grid.positions.emplace_back(40.0f * static_cast<float>(x - 50), -static_cast<float>((x * 7 + z * 3) % 5) * 0.2f,
+                                  40.0f * static_cast<float>(z - 50));
+  }
+  for (uint32_t x = 0; x < 100; ++x) {
+    for (uint32_t z = 0; z < 100; ++z) {
+      const uint32_t i = x * 101 + z;
+      for (const uint32_t k : {i, i + 1, i + 102, i, i + 102, i + 101}) grid.indices.push_back(k);
+    }
+  }
+  const std::vector<std::vector<MeshPart>> grounds = {
+      {box_part({0, 0, 0}, {4000, 0, 4000})},
+      {box_part({0, -5, 0}, {4000, 10, 4000})},
+      {box_part({0, 0, 0}, {1e5f, 0, 1e5f})},
+      {grid},
+      tiles,
+      {box_part({0, 0, 0}, {1e5f, 0, 1e5f}), box_part({0, -0.1f, 0}, {3000, 0.2f, 3000})}};
   for (const bool apart : {true, false}) {
-    Scene scene;
-    scene.materials.emplace_back();
-    const auto add = [&](const MeshPart& part) {
-      if (apart || scene.meshes.empty())
-        scene.meshes.emplace_back(), scene.objects.emplace_back().mesh = static_cast<int>(scene.meshes.size()) - 1;
-      scene.meshes.back().parts.push_back(part);
-    };
-    add(box_part({0, 0, 0}, {4000, 0, 4000}));
-    std::vector<vec3> houses;
-    for (int x = -5; x <= 5; ++x) {
-      for (int z = -5; z <= 5; ++z) {
-        houses.push_back(vec3(20.0f * static_cast<float>(x) + 300.0f, 5.0f, 20.0f * static_cast<float>(z)));
-        add(box_part(houses.back(), vec3(10.0f)));
+    for (size_t g = 0; g < grounds.size(); ++g) {
+      for (const auto& standing : {town, house, sunk}) {
+        if (&grounds[g] == &grounds[4] && standing.size() > 1) continue;  // the town is as wide as half of its tiles
+        std::vector<MeshPart> parts = grounds[g];
+        parts.insert(parts.end(), standing.begin(), standing.end());
+        const Camera camera = framing_camera(scene_of(parts, apart), 1.0f);
+        EXPECT_GT(share_of(standing, camera), 0.25f) << apart << " ground " << g << ", " << standing.size();
+        EXPECT_GT(camera.far, g == 4 ? 250.0f : 2000.0f) << "the ground is still there";
       }
     }
-    const Camera camera = framing_camera(scene, 1.0f);
-    const mat4 view_from_world = glm::inverse(camera.world_from_view);
-    float widest = 0.0f;
-    for (const vec3& house : houses) {
-      const vec3 p(view_from_world * vec4(house, 1.0f));
-      EXPECT_GT(-p.z, camera.near);
-      widest = std::max(widest, std::abs(p.x / p.z) / std::tan(camera.vertical_fov / 2));
-    }
-    EXPECT_GT(widest, 0.6f) << apart;
-    EXPECT_LT(widest, 1.0f) << apart;
-    EXPECT_GT(camera.far, 2500.0f) << "the ground is still there";
   }
+}
+
+TEST(Scene, FramingCameraKeepsWhatIsNoGround) {
+  const MeshPart floor = box_part({0, 0, 0}, {10, 0, 10}), crate = box_part({0, 1, 0}, vec3(2));
+  const MeshPart table = box_part({0, 1, 0}, {40, 0, 40}), leg = box_part({0, 0.5f, 0}, vec3(0.2f, 1, 0.2f));
+  const MeshPart above = box_part({0, 3, 0}, vec3(4, 0, 4)), highest = box_part({0, 5, 0}, vec3(0.4f, 0, 0.4f));
+  const MeshPart hill = box_part({0, 200, 0}, {4000, 400, 4000});
+  const std::vector<std::vector<MeshPart>> scenes = {
+      {floor},         // nothing stands on it
+      {floor, crate},  // seen well enough, and its shadow
+      {table, leg},    // the wide one is above
+      {floor, above, highest},
+      {hill, box_part({0, 405, 0}, vec3(10))},
+  };
+  for (size_t i = 0; i < scenes.size(); ++i)
+    EXPECT_GT(share_of(scenes[i], framing_camera(scene_of(scenes[i]), 1.0f)), 0.85f) << "scene " << i;
+}
+
+TEST(Scene, FramingCameraLeavesOutStrays) {
+  const std::vector<MeshPart> rest = {box_part({0, 0, 0}, {10, 0, 10}), box_part({0, 1, 0}, vec3(2)),
+                                      box_part({3, 1, 0}, vec3(2))};
+  for (const vec3& place : {vec3(2e6f, 0, 0), vec3(0, 0, -3000), vec3(0, 1e5f, 0)}) {
+    MeshPart sliver;  // from a corner of the floor
+    sliver.positions = {{5, 0, 5}, {5, 0, -5}, place};
+    sliver.indices = {0, 1, 2};
+    for (const MeshPart& stray : {sliver, box_part(place, vec3(2))}) {
+      for (const bool apart : {true, false}) {
+        std::vector<MeshPart> parts = rest;
+        parts.push_back(stray);
+        EXPECT_GT(share_of(rest, framing_camera(scene_of(parts, apart), 1.0f)), 0.5f)
+            << place.x << " " << place.y << " " << apart;
+      }
+    }
+  }
+  const MeshPart panel = box_part({2e6f, 1, 0}, vec3(2, 2, 1e-3f));
+  EXPECT_GT(share_of({rest[0]}, framing_camera(scene_of({rest[0], rest[0], rest[0], panel}), 1.0f)), 0.5f) << "ground alone";
+  // Half of a scene far away: what lies at the origin.
+  EXPECT_GT(share_of({rest[1]}, framing_camera(scene_of({box_part({2e6f, 1, 0}, vec3(2)), rest[1]}), 1.0f)), 0.5f);
 }
 
 TEST(Scene, FramingCameraOfNothingIsValid) {
@@ -268,6 +357,16 @@ TEST(LoadScene, MissingFileIsAFailureThatNamesThePath) {
       EXPECT_EQ(error.code(), ExitCode::failure);
       EXPECT_TRUE(std::string(error.what()).starts_with(path + ": ")) << error.what();
     }
+  }
+}
+
+TEST(LoadScene, WhatOnlyGltfHasIsRefusedForObj) {
+  SceneFileOptions scenes, animation, time;
+  scenes.gltf_scene = "0", animation.animation = "run", time.params.time = 1.5f;
+  for (const auto& [options, says] :
+       {std::pair(scenes, "--gltf-scene 0"), {animation, "--animation run"}, {time, "--time 1.5"}}) {
+    const std::string message = error_of([&, given = options] { load_scene("/nowhere/scene.obj", {}, given); });
+    EXPECT_NE(message.find(says), std::string::npos) << message;
   }
 }
 

@@ -26,7 +26,8 @@ void ViewArguments::add_to(CLI::App& command) {
                          "; repeat for several (default: the scene's first sun, else all its lights)");
   command.add_option(
       "--cast", casts,
-      "GLOB=on or GLOB=off: whether objects or materials of that name cast shadows; repeat for several, the last "
+      "GLOB=on or GLOB=off: whether objects or materials of that name (or of names that fit, with *, ?, [...]) cast "
+      "shadows; repeat for several, the last "
       "that fits counts");
   command.add_option("--up", up, "the axis of the file that points up: y, z, x or -z");
   command.add_option("--gltf-scene", gltf_scene, "name or number of one of the scenes of a glTF file");
@@ -63,6 +64,8 @@ uvec2 parse_size(const std::string& size) {
 
 bool ViewArguments::given(const char* option) const { return command_->get_option(option)->count() > 0; }
 
+bool ViewArguments::other_scene(const Preset& preset) const { return given("scene") && scene != preset.scene.value_or(scene); }
+
 Preset ViewArguments::preset() const {
   Preset merged;
   for (const std::string& name : preset_names) {
@@ -78,7 +81,12 @@ ViewOptions ViewArguments::view() const {
   ViewOptions options;
   options.size = parse_size(size);
   options.samples = samples;
-  apply_view(preset(), options);
+  Preset used = preset();
+  if (other_scene(used)) {
+    for (const std::string& rule : used.casts) log_info("preset {}: casts {} is left out: another scene", used.name, rule);
+    used.casts.clear();
+  }
+  apply_view(used, options);
   if (given("scene")) options.scene = scene;
   if (options.scene.empty()) options.scene = scene;  // a subcommand's default
   if (options.scene.empty()) fail_usage("scene is required: a name, a path, or a --preset that has one");
@@ -87,21 +95,21 @@ ViewOptions ViewArguments::view() const {
   if (given("--camera")) options.camera = camera;
   if (given("--light")) options.lights = lights;
   if (given("--cast")) options.casts.insert(options.casts.end(), casts.begin(), casts.end());
+  for (const std::string& rule : casts) options.cast_sources.erase(rule);
   return options;
 }
 
 Settings ViewArguments::settings(const std::vector<std::string>& techniques) const {
   Preset used = preset();
   const auto specs = techniques_named(techniques);
-  const bool other_techniques = techniques != used.techniques,
-             other_scene = given("scene") && scene != used.scene.value_or(scene);
+  const bool other_techniques = techniques != used.techniques, is_other_scene = other_scene(used);
   std::erase_if(used.set, [&](const auto& setting) {
     const size_t at = setting.first.find('@'), begin = at == setting.first.npos ? 0 : at + 1;  // behind the name of a light
     const std::string id = setting.first.substr(begin, setting.first.find('.', begin) - begin);
     const bool has_part = std::any_of(specs.begin(), specs.end(),
                                       [&](const TechniqueSpec* spec) { return spec->default_settings().contains(id); });
     const bool is_useless =
-        (other_techniques && Settings::is_technique_part(id) && !has_part) || (other_scene && id == "scene");
+        (other_techniques && Settings::is_technique_part(id) && !has_part) || (is_other_scene && id == "scene");
     if (is_useless)
       log_info("preset {}: {} is left out: {}", used.name, setting.first,
                id == "scene" ? "another scene" : "no technique of this run has it");
@@ -112,7 +120,7 @@ Settings ViewArguments::settings(const std::vector<std::string>& techniques) con
   const auto assign_scene = [&](const char* option, const char* key, const std::string& value) {
     if (given(option)) settings.assign(fmt::format("scene.{}={}", key, value), option);
   };
-  assign_scene("--up", "up", up == "-z" ? "minus_z" : up);
+  assign_scene("--up", "up", up);
   assign_scene("--gltf-scene", "gltf_scene", gltf_scene);
   assign_scene("--animation", "animation", animation);
   assign_scene("--time", "time", time);

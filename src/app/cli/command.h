@@ -50,6 +50,7 @@ struct ViewArguments {
 
  private:
   bool given(const char* option) const;
+  bool other_scene(const Preset& preset) const;  // than the preset was made for: what names its parts is left out
   const CLI::App* command_ = nullptr;
 };
 

@@ -49,7 +49,7 @@ std::vector<std::string> Fields::texts(const char* key) const {
   if (at(key).is_string()) return {at(key).get<std::string>()};
   const auto is_text = [](const nlohmann::json& item) { return item.is_string(); };
   if (!at(key).is_array() || at(key).empty() || !std::all_of(at(key).begin(), at(key).end(), is_text))
-    fail_value(key, "a list of strings");
+    fail_value(key, "a list of strings, or one string");
   return at(key).get<std::vector<std::string>>();
 }
 

@@ -38,6 +38,7 @@ void check_preset(const Preset& preset) {
     }
   }
   if (preset.scene) check_scene_name(preset);
+  for (const std::string& rule : preset.casts) check_cast_rule(rule, preset.name);
 }
 
 void assign_preset(Settings& settings, const Preset& preset) {
@@ -51,6 +52,7 @@ void apply_view(const Preset& preset, ViewOptions& view) {
   if (preset.camera) view.camera = *preset.camera;
   if (!preset.lights.empty()) view.lights = preset.lights;
   view.casts.insert(view.casts.end(), preset.casts.begin(), preset.casts.end());
+  for (const std::string& rule : preset.casts) view.cast_sources[rule] = preset.name;
 }
 
 Preset effective_preset(const ViewOptions& view, const std::vector<std::string>& techniques, const Settings& settings) {

@@ -61,6 +61,17 @@ void check_lights_named(std::span<const Light> lights, const Settings& settings)
 
 }  // namespace
 
+std::string techniques_for(LightKind kind) {
+  std::vector<std::string> names;
+  for (const TechniqueSpec& spec : all_techniques()) {
+    if (!spec.supports(kind)) continue;
+    const size_t slash = spec.name.find('/');
+    const std::string name = slash == spec.name.npos ? spec.name : spec.name.substr(0, slash) + "/...";
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void settle_samples(ViewOptions& options, const DeviceInfo& device) {
   if (!std::exchange(options.fewer_samples, false)) return;
   uint32_t offered = 1;
@@ -77,7 +88,8 @@ Session::Session(Device& device, const ViewOptions& options, Settings settings, 
     : device_(device), options_(options), settings_(std::move(settings)), scene_(std::move(scene)) {
   settle_samples(options_, device_.info());
   check_drawable(scene_);
-  apply_casting(scene_, options_.casts);
+  apply_casting(scene_, options_.casts, options_.cast_sources);
+  warn_of_strays(scene_);
   warn_of_coarse_coordinates(scene_);
   settings_.complete_scene_options(options_.scene);
   camera_ = choose_camera(scene_, options_, settings_);
@@ -137,7 +149,7 @@ void Session::change(const ViewOptions& options, Settings settings) {
 }
 
 void Session::change_casting(const std::vector<std::string>& casts) {
-  apply_casting(scene_, casts);
+  apply_casting(scene_, casts, options_.cast_sources);
   context_.reset(), frame_.reset();  // both know the old casters
   gpu_scene_ = std::make_unique<GpuScene>(device_, scene_);
   warn_where_nothing_casts(scene_, *gpu_scene_);
@@ -172,7 +184,8 @@ void Session::make_frame(std::span<const Light> lights) {
 
 std::string Session::unavailable(const TechniqueSpec& spec) const {
   for (const Light& light : frame_->lights()) {
-    if (!spec.supports(light.kind)) return fmt::format("no {} lights ('{}')", light_kind_name(light.kind), light.name);
+    if (!spec.supports(light.kind))
+      return fmt::format("no {} lights ('{}'); valid: {}", light_kind_name(light.kind), light.name, techniques_for(light.kind));
   }
   return {};
 }
@@ -189,8 +202,8 @@ std::vector<std::unique_ptr<Technique>> Session::make_techniques(std::span<const
     const auto spec =
         std::find_if(specs.begin(), specs.end(), [&](const TechniqueSpec* candidate) { return candidate->supports(kind); });
     if (spec == specs.end())
-      fail_device("light '{}': no technique of this run supports {} lights", frame_->lights()[light].name,
-                  light_kind_name(kind));
+      fail_device("light '{}': no technique of this run supports {} lights; valid: {}", frame_->lights()[light].name,
+                  light_kind_name(kind), techniques_for(kind));
     techniques.push_back((*spec)->make(*context_, settings_of(**spec, light)));
   }
   return techniques;

@@ -9,6 +9,7 @@
 #include "frame/frame.h"
 #include "lab/view/settings.h"
 #include "reference/cpu/embree_reference.h"
+#include "scene/casting.h"
 #include "scene/path.h"
 
 namespace gnomon {
@@ -24,8 +25,12 @@ struct ViewOptions {
   // lights as text (lab/view/light_text.h).
   std::vector<std::string> lights;
   std::vector<std::string>
-      casts;  // "GLOB=on" or "GLOB=off" of objects and materials (scene/casting.h); the last that fits counts
+      casts;                 // "GLOB=on" or "GLOB=off" of objects and materials (scene/casting.h); the last that fits counts
+  CastSources cast_sources;  // presets that some of them are from
 };
+
+// The techniques that serve lights of that kind, by projection: "cube/..., ray_traced".
+std::string techniques_for(LightKind kind);
 
 // Settles `fewer_samples` for that device.
 void settle_samples(ViewOptions& options, const DeviceInfo& device);

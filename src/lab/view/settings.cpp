@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/lower_case.h"
 #include "lab/view/lab_params.h"
 #include "scene/load.h"
 
@@ -59,7 +60,10 @@ void Settings::assign(std::string_view assignment, std::string_view source) {
   }
   const std::string id(assignment.substr(0, dot)), name(assignment.substr(dot + 1, equals - dot - 1));
   const std::string value(assignment.substr(equals + 1));
-  const std::string where = source == "--set" ? id + "." + name : fmt::format("{} {}.{}", source, id, name);
+  // An option of its own, such as --up, says all; a preset's name does not.
+  const std::string where = source == "--set"          ? id + "." + name
+                            : source.starts_with("--") ? std::string(source)
+                                                       : fmt::format("{} {}.{}", source, id, name);
   if (!light.empty() && !is_technique_part(id))
     fail_usage("{} {}: '{}' is no part of a technique; only those have values of their own for a light", source, whole, id);
   if (id == "scene") {
@@ -75,15 +79,29 @@ void Settings::assign(std::string_view assignment, std::string_view source) {
   assignments_.emplace_back(whole);
 }
 
+namespace {
+
+// A parameter's choices are words that every language takes; people write -z, and Z.
+std::string axis_name(const std::string& text, const std::string& where) {
+  const std::string axis = lower_case(text);
+  if (axis == "-z") return "minus_z";
+  for (const char* valid : {"y", "z", "x", "minus_z"}) {
+    if (axis == valid) return axis;
+  }
+  fail_usage("{}: '{}' is not valid; valid: one of y, z, x, -z", where, text);
+}
+
+}  // namespace
+
 // What a file is read with has a table; anything else is an option of a built-in scene, which checks it itself.
 void Settings::assign_to_scene(const std::string& name, const std::string& value, const std::string& where) {
   ParamBlock& block = blocks_.at("scene");
   if (std::any_of(block.table().begin(), block.table().end(), [&](const ParamInfo& info) { return info.name == name; })) {
-    block.set(name, value, where);
-  } else if (name == "gltf_scene") {
-    gltf_scene_ = value;
-  } else if (name == "animation") {
-    animation_ = value;
+    block.set(name, name == "up" ? axis_name(value, where) : value, where);
+  } else if (const auto text = std::find_if(std::begin(k_scene_file_texts), std::end(k_scene_file_texts),
+                                            [&](const SceneFileText& known) { return known.name == name; });
+             text != std::end(k_scene_file_texts)) {
+    scene_texts_.*text->value = value;
   } else {
     double number = 0.0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
@@ -93,13 +111,13 @@ void Settings::assign_to_scene(const std::string& name, const std::string& value
 }
 
 SceneFileOptions Settings::scene_file_options() const {
-  SceneFileOptions options = {block("scene").as<scene_file_params::Params>(), gltf_scene_, animation_, {}};
+  SceneFileOptions options = scene_texts_;
+  options.params = block("scene").as<scene_file_params::Params>();
   const auto note = [&](std::string_view name) {
     if (was_set("scene." + std::string(name))) options.given.emplace_back(name);
   };
   for (const ParamInfo& info : block("scene").table()) note(info.name);
-  note("gltf_scene");
-  note("animation");
+  for (const SceneFileText& text : k_scene_file_texts) note(text.name);
   return options;
 }
 
@@ -108,8 +126,9 @@ std::map<std::string, std::string> Settings::scene_texts() const {
   for (const auto& [name, value] : scene_options_) texts[name] = fmt::format("{}", value);
   if (!scene_is_file_) return texts;
   for (const ParamInfo& info : block("scene").table()) texts[std::string(info.name)] = block("scene").text(info.name);
-  if (!gltf_scene_.empty()) texts["gltf_scene"] = gltf_scene_;
-  if (!animation_.empty()) texts["animation"] = animation_;
+  for (const SceneFileText& text : k_scene_file_texts) {
+    if (const std::string& value = scene_texts_.*text.value; !value.empty()) texts[std::string(text.name)] = value;
+  }
   return texts;
 }
 
@@ -192,8 +211,9 @@ nlohmann::json Settings::to_json(const SettingsMap& technique) const {
   for (const auto& [id, block] : blocks_) object[id] = block.to_json();
   if (!scene_is_file_) object["scene"] = nlohmann::json::object();
   object["scene"].update(nlohmann::json(scene_options_));
-  if (!gltf_scene_.empty()) object["scene"]["gltf_scene"] = gltf_scene_;
-  if (!animation_.empty()) object["scene"]["animation"] = animation_;
+  for (const SceneFileText& text : k_scene_file_texts) {
+    if (const std::string& value = scene_texts_.*text.value; !value.empty()) object["scene"][std::string(text.name)] = value;
+  }
   return object;
 }
 

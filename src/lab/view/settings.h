@@ -61,7 +61,7 @@ class Settings {
   std::map<std::string, ParamBlock, std::less<>> blocks_;
   std::vector<Assignment> of_techniques_;
   std::map<std::string, double> scene_options_;
-  std::string gltf_scene_, animation_;
+  SceneFileOptions scene_texts_;  // its texts: the numbers are a block
   bool scene_is_file_ = false;
   std::vector<std::string> assignments_;
 };

@@ -109,14 +109,14 @@ MorphWeights apply_animation(const GltfDocument& document, const GltfAccessors& 
   const auto animations = document.root().objects("animations");
   if (animations.empty()) {
     if (!animation.empty()) fail_usage("{}: --animation {}: the file has no animations", document.name(), animation);
-    if (time_s != 0.0) fail_usage("{}: --time {}: the file has no animations", document.name(), time_s);
+    if (time_s != 0.0) fail_usage("{}: --time {}: the file has no animations", document.name(), float(time_s));
     return weights;
   }
   const int chosen = choose_animation(document, animations, animation);
   const GltfValue& json = animations[static_cast<size_t>(chosen)];
   if (animation.empty()) {
-    log_info("{}: stands as at {} s of its animation {}, one of {}; --animation and --time choose", document.name(), time_s,
-             named(json, chosen), animations.size());
+    log_info("{}: stands as at {} s of its animation {}, one of {}; --animation and --time choose", document.name(),
+             float(time_s), named(json, chosen), animations.size());
   }
   const AnimationReader reader(accessors, json);
   size_t left_out = 0;

@@ -218,14 +218,18 @@ Bytes GltfDocument::data(int index, const std::string& place) {
   return known.bytes;
 }
 
+void GltfDocument::read_slice(const GltfValue& json, Slice& slice) {
+  slice.place = json.place();
+  slice.buffer = json.required_index("buffer", buffers_.size(), "buffers");
+  const uint64_t size = buffer(slice.buffer).declared;
+  slice.length = json.required_integer("byteLength", 1, size);
+  slice.offset = json.integer("byteOffset", 0, 0, size - slice.length);
+}
+
 void GltfDocument::read_views() {
   for (const GltfValue& json : root().objects("bufferViews")) {
     View view;
-    view.place = json.place();
-    view.buffer = json.required_index("buffer", buffers_.size(), "buffers");
-    const uint64_t size = buffer(view.buffer).declared;
-    view.length = json.required_integer("byteLength", 1, size);
-    view.offset = json.integer("byteOffset", 0, 0, size - view.length);
+    read_slice(json, view);
     view.stride = json.integer("byteStride", 0, 4, 252);
     if (const auto extension = meshopt_extension(json)) view.compressed = read_compressed(*extension, view.length);
     views_.push_back(std::move(view));
@@ -234,11 +238,7 @@ void GltfDocument::read_views() {
 
 GltfDocument::Compressed GltfDocument::read_compressed(const GltfValue& json, uint64_t view_length) {
   Compressed result;
-  result.place = json.place();
-  result.buffer = json.required_index("buffer", buffers_.size(), "buffers");
-  const uint64_t size = buffer(result.buffer).declared;
-  result.length = json.required_integer("byteLength", 1, size);
-  result.offset = json.integer("byteOffset", 0, 0, size - result.length);
+  read_slice(json, result);
   result.stride = json.required_integer("byteStride", 1, 256);
   result.count = json.required_integer("count", 1, uint64_t{1} << 32);
   result.mode = json.text("mode", "");

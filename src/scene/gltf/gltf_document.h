@@ -59,19 +59,20 @@ class GltfDocument {
     std::vector<std::byte> owned;
     Bytes bytes;
   };
-  struct Compressed {
-    int buffer = 0;
-    uint64_t offset = 0, length = 0, stride = 0, count = 0;
-    std::string mode, filter, place;
-  };
-  struct View {
+  struct Slice {  // of a buffer
     int buffer = 0;
     uint64_t offset = 0, length = 0;
+    std::string place;
+  };
+  struct Compressed : Slice {
+    uint64_t stride = 0, count = 0;
+    std::string mode, filter;
+  };
+  struct View : Slice {
     size_t stride = 0;
     std::optional<Compressed> compressed;
     std::vector<std::byte> decoded;
     bool is_decoded = false;
-    std::string place;
   };
 
   std::string_view digits_of(std::string_view data_uri, const std::string& place) const;
@@ -81,6 +82,7 @@ class GltfDocument {
   void check_required_extensions() const;
   Buffer& buffer(int index);
   Bytes data(int buffer, const std::string& place);
+  void read_slice(const GltfValue& json, Slice& slice);
   void read_views();
   Compressed read_compressed(const GltfValue& json, uint64_t view_length);
   // False where the compressed data cannot be read but an uncompressed fallback is there.

@@ -133,7 +133,7 @@ std::vector<int> GltfHierarchy::roots(const std::string& scene) const {
       fail_usage("{}: --gltf-scene {}: valid: {}", document_.name(), scene,
                  scenes.empty() ? "nothing, the file has no scenes" : names_of(scenes));
   } else if (scenes.size() > 1) {
-    log_info("{}: shows {} of its {} scenes; --gltf-scene shows another", document_.name(),
+    log_info("{}: shows its scene {}, one of {}; --gltf-scene shows another", document_.name(),
              named(scenes[static_cast<size_t>(chosen)], chosen), scenes.size());
   }
   if (!roots.empty()) return roots[static_cast<size_t>(chosen)];

@@ -37,7 +37,8 @@ void divide_map_size(SettingsMap& settings, const TechniqueSpec& spec, uint32_t 
 const TechniqueSpec& required_technique(const std::vector<std::string>& names, const Light& light) {
   const TechniqueSpec* spec = technique_for(names, light.kind);
   if (!spec) {
-    fail_device("light '{}': {} supports no {} lights", light.name, fmt::join(names, ", "), light_kind_name(light.kind));
+    fail_device("light '{}': {} supports no {} lights; valid: {}", light.name, fmt::join(names, ", "),
+                light_kind_name(light.kind), techniques_for(light.kind));
   }
   return *spec;
 }
