@@ -119,7 +119,6 @@ TEST(GltfMalformed, EveryErrorNamesItsPlaceAndWhatIsValid) {
       {"/buffers/0/uri", "absent.bin", "buffers[0].uri"},
       {"/buffers/0/uri", 5, "buffers[0].uri"},
       {"/images/0/bufferView", 99, "images[0].bufferView"},
-      {"/images/0/bufferView", 0, "images[0]"},
       {"/images/0/uri", "both.png", "images[0]"},
       {"/textures/0/source", -1, "textures[0].source"},
       {"/textures/0/sampler", 1, "textures[0].sampler"},
