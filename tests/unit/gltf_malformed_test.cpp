@@ -193,7 +193,7 @@ TEST(GltfMalformed, SmallFilesCannotAskForGigabytes) {
   // A thousand primitives over one accessor of a million zeros.
   GltfBuilder many;
   many.add("accessors", {{"type", "VEC3"}, {"componentType", 5126}, {"count", 1000000}});
-  for (int i = 0; i < 1000; ++i) many.mesh({{"POSITION", 0}});
+  for (int i = 0; i < 1000; ++i) many.node({{"mesh", many.mesh({{"POSITION", 0}})}});
   EXPECT_NE(error_of([&] { many.load(); }).find("far more than a file of this size"), std::string::npos);
 
   // A thousand nodes with a hundred thousand instances each.

@@ -37,7 +37,7 @@ GltfBuilder with_material(const json& material) {
 
 // Only textures of materials in use are read.
 void add_material_in_use(GltfBuilder& b, const json& material) {
-  b.mesh({{"POSITION", 0}}, -1, {{"material", b.add("materials", material)}});
+  b.node({{"mesh", b.mesh({{"POSITION", 0}}, -1, {{"material", b.add("materials", material)}})}});
 }
 
 int embed_picture(GltfBuilder& b, const std::vector<std::byte>& encoded, const json& texture = json::object()) {

@@ -291,9 +291,10 @@ TEST_F(ObjFiles, IndicesThatPointAtNothingCostTheirAttributeOnly) {
   const Scene normals = load("vn 0 0 -1", "f 1//1 2//1 3//1\nf 1//1 2//0 3//1\nf 1/1/1 2/2/99999999999999999999 3/3/1\n");
   EXPECT_EQ(normals.triangle_count(), 3u);
   EXPECT_EQ(warned("test.obj:9: 2 face(s) name normals (vn) that are not there"), 1);
-  ASSERT_EQ(normals.meshes[0].parts.size(), 2u);
+  ASSERT_EQ(normals.meshes[0].parts.size(), 3u) << "the last has texture coordinates, too";
   EXPECT_EQ(normals.meshes[0].parts[0].normals[0], vec3(0, 0, -1)) << "given";
   EXPECT_EQ(normals.meshes[0].parts[1].normals[0], vec3(0, 0, 1)) << "made";
+  EXPECT_EQ(normals.meshes[0].parts[2].normals[0], vec3(0, 0, 1)) << "made";
 }
 
 TEST_F(ObjFiles, FacesByTheirOldName) { EXPECT_EQ(load("", "fo 1/1 2/2 3/3\n").triangle_count(), 1u); }

@@ -111,7 +111,8 @@ class MtlReader {
     }
     say_commas();
     const vec3 rgb = is_xyz ? rgb_of_xyz(*values) : *values;
-    if (&colour == &materials_.back().diffuse && std::max({rgb.x, rgb.y, rgb.z}) > 1.0f) {
+    constexpr float k_most = 1.01f;  // white in CIE XYZ is not quite 1
+    if (&colour == &materials_.back().diffuse && std::max({rgb.x, rgb.y, rgb.z}) > k_most) {
       log_warning("{}:{}: {} {}: more light than falls on it; valid: 0 to 1; it is used as it stands", file_, line_, keyword_,
                   rest);
     }

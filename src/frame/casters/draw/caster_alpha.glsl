@@ -19,8 +19,8 @@ AlphaLookup alpha_lookup(MaterialData material, vec2 uv, out vec2 position) {
     ivec2 size = textureSize(material_textures[nonuniformEXT(material.caster_texture)], 0);
     position = texel_position(transform_uv(material.base_uv_u, material.base_uv_v, uv), size);
     lookup.scale.xy = 1.0 / vec2(size);
-    lookup.texture =
-        texture_lookup(material.caster_texture, material_sampler(k_material_nearest, material.base_wrap_u, material.base_wrap_v));
+    uint nearest = material_sampler(k_material_nearest, material.base_wrap_u, material.base_wrap_v);
+    lookup.texture = texture_lookup(material.caster_texture, nearest);
   }
   return lookup;
 }
