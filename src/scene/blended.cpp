@@ -84,8 +84,8 @@ void settle_blended(Scene& scene, const SceneFileOptions& options) {
   }
   if (names.empty()) return;
   log_warning(
-      "{}: blended materials: {}; the camera sees them as solid wherever they are not clear, {} (scene.blend_casts, or --cast "
-      "NAME=on|off)",
+      "{}: blended materials: {}; the camera sees them as solid wherever their texture is not clear, {} (scene.blend_casts, "
+      "or --cast NAME=on|off)",
       scene.source.empty() ? scene.name : scene.source, first_names(names), outcome(rule));
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <webp/encode.h>
 
+#include "base/file.h"
 #include "base/warning_watch.h"
 #include "gltf_builder.h"
 #include "scene_files.h"
@@ -207,6 +208,39 @@ TEST(GltfTolerance, IndicesLeftOverAreSaid) {
   const WarningWatch watch;
   EXPECT_EQ(b.load().triangle_count(), 1u);
   EXPECT_TRUE(only_warning(watch).starts_with("test.gltf: meshes[0].primitives[0].indices: 5 indices"));
+}
+
+TEST(GltfTolerance, Utf16IsNamed) {
+  for (const std::string& text : {std::string("\xff\xfe{\0", 4), std::string("\xfe\xff\0{", 4)}) {
+    try {
+      GltfBuilder::load_text(text);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_STREQ(error.what(), "test.gltf:1: UTF-16 text; valid: UTF-8");
+    }
+  }
+}
+
+TEST(GltfTolerance, LineBreaksInNamesAreText) {
+  const test_files::Folder folder;
+  GltfBuilder b;
+  b.triangle();
+  b.root["nodes"][0]["name"] = "a\nb";
+  b.root["materials"] = json::array({{{"name", "in\ntwo"}, {"alphaMode", "MASK"}, {"alphaCutoff", 2}}});
+  b.root["meshes"][0]["primitives"][0]["material"] = 0;
+  const std::string path = (folder.path() / "test.gltf").string();
+  write_file(path, b.gltf());
+  const WarningWatch watch;
+  EXPECT_EQ(load_scene(path).objects.at(0).name, "a\\x0ab");
+  EXPECT_NE(only_warning(watch).find("in\\x0atwo"), std::string::npos) << only_warning(watch);
+  b.root["materials"][0]["alphaMode"] = "x\ny";
+  write_file(path, b.gltf());
+  try {
+    load_scene(path);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+  }
 }
 
 // --- numbers ---

@@ -139,6 +139,8 @@ void GltfMaterials::load_picture(Picture& picture, const GltfValue& json) {
     throw;
   } catch (const Error& error) {
     picture.problem = error.what();
+    if (!picture.problem.starts_with(document_.name()))  // of a file beside it
+      picture.problem = fmt::format("{}: {}.uri: {}", document_.name(), json.place(), picture.problem);
   }
 }
 

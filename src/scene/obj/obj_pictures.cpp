@@ -58,7 +58,7 @@ void ObjPictures::load() {
   });
   for (const Picture* picture : work) {
     if (picture->problem.empty()) continue;
-    log_warning("{}: {}, named by {}; {}", source_, picture->problem, first_names(picture->materials),
+    log_warning("{}: a picture of {}: {}; {}", source_, first_names(picture->materials), picture->problem,
                 consequence_without(picture->use));
   }
 }
