@@ -37,6 +37,7 @@ namespace gnomon {
 namespace {
 
 constexpr int k_max_side = 16384;
+constexpr std::string_view k_valid = "valid: PNG, JPEG, WebP, TGA, BMP";
 
 struct FreePixels {
   void operator()(void* pixels) const { stbi_image_free(pixels); }
@@ -88,6 +89,7 @@ void check_sides(uint64_t width, uint64_t height, const std::string& name) {
 }
 
 void check_header(std::span<const std::byte> encoded, const std::string& name) {
+  if (encoded.empty()) fail("{}: not a picture that can be read (it is empty); {}", name, k_valid);
   if (encoded.size() > static_cast<size_t>(std::numeric_limits<int>::max()))
     fail("{}: {} bytes; valid: below 2 GiB", name, encoded.size());
   if (const auto size = png_size(encoded)) check_sides(size->width, size->height, name);
@@ -95,7 +97,7 @@ void check_header(std::span<const std::byte> encoded, const std::string& name) {
   if (!stbi_info_from_memory(bytes_of(encoded), static_cast<int>(encoded.size()), &width, &height, &channels)) {
     const std::string_view format = format_name(encoded);
     const std::string reason = format.empty() ? stbi_failure_reason() : fmt::format("it is {}", format);
-    fail("{}: not a picture that can be read ({}); valid: PNG, JPEG, TGA, BMP", name, reason);
+    fail("{}: not a picture that can be read ({}); {}", name, reason, k_valid);
   }
   check_sides(static_cast<uint64_t>(width), static_cast<uint64_t>(height), name);
   // Deflate packs 1032 bytes of at least eight pixels each into one; nothing else packs more. A header alone must not cost a

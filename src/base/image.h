@@ -1,4 +1,4 @@
-// Pictures in memory and on disk: PNG, JPEG, TGA, BMP in; PNG and OpenEXR out.
+// Pictures in memory and on disk: PNG, JPEG, WebP, TGA, BMP in; PNG and OpenEXR out.
 #pragma once
 
 #include <cstddef>

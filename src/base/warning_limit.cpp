@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/log.h"
+#include "base/visible_text.h"
 
 namespace gnomon {
 
@@ -14,6 +15,11 @@ struct WarningLimits {
   static WarningLimits& all() {
     static WarningLimits instance;
     return instance;
+  }
+
+  bool any() {
+    const std::lock_guard lock(mutex);
+    return !list.empty();
   }
 
   bool admit(std::string_view kind, std::string_view text) {
@@ -47,7 +53,8 @@ WarningLimit::~WarningLimit() {
 }
 
 void log_warning_of_kind(std::string_view kind, std::string_view text) {
-  if (WarningLimits::all().admit(kind, text)) log_line(LogLevel::warning, text);
+  const std::string line = WarningLimits::all().any() ? visible_line(text) : std::string(text);
+  if (WarningLimits::all().admit(kind, line)) log_line(LogLevel::warning, line);
 }
 
 }  // namespace gnomon

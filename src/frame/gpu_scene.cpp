@@ -66,6 +66,7 @@ void GpuScene::upload_materials() {
     data.normal_uv_u = material.normal_uv.row_u;
     data.normal_uv_v = material.normal_uv.row_v;
     data.base_texture = index(material.base_colour_texture);
+    data.caster_texture = index(material.caster_texture());
     data.normal_texture = index(material.normal_texture);
     // A CPU draws half as fast again without anisotropy. Where the texture decides what is seen, every device has to agree.
     const uint32_t filtering = device_.info().software ? k_material_trilinear : k_material_anisotropic;

@@ -71,6 +71,7 @@ class Checker {
 
   void check(const Material& m, const std::string& place) const {
     require_index(m.base_colour_texture, k_no_texture, scene_.textures.size(), place + ".base_colour_texture");
+    require_index(m.half_texture, k_no_texture, scene_.textures.size(), place + ".half_texture");
     require_index(m.normal_texture, k_no_texture, scene_.textures.size(), place + ".normal_texture");
     require(finite(m.base_colour) && finite(m.specular) && finite(m.emissive), place, "of finite colours");
     require(std::isfinite(m.normal_scale) && std::isfinite(m.alpha_cutoff), place, "of finite numbers");

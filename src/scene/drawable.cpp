@@ -27,7 +27,12 @@ class Drawable {
   explicit Drawable(const Scene& scene) : scene_(scene), name_(scene.source.empty() ? scene.name : scene.source) {}
 
   void check() const {
-    if (scene_.triangle_count() == 0) fail("{}: nothing to draw: the scene has no triangles", name_);
+    if (scene_.triangle_count() == 0) {
+      const bool has_faces =
+          std::any_of(scene_.meshes.begin(), scene_.meshes.end(), [](const Mesh& mesh) { return !mesh.parts.empty(); });
+      fail("{}: nothing to draw: the scene has no triangles{}", name_,
+           has_faces ? ": none of its faces has an area, their corners lie on lines or at one point" : "");
+    }
     check_largest();
     const vec3 extent = scene_.bounds().extent();
     const float size = std::max({extent.x, extent.y, extent.z});

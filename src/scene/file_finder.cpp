@@ -4,6 +4,7 @@
 
 #include "base/log.h"
 #include "base/lower_case.h"
+#include "scene/lost_pictures.h"
 
 namespace gnomon {
 namespace {
@@ -109,9 +110,10 @@ std::optional<std::string> FileFinder::entry_like(const fs::path& folder, const 
 
 void FileFinder::say_what_was_guessed() const {
   if (guessed_.empty()) return;
-  const auto& [name, path] = *guessed_.begin();
-  log_info("{}: {} file{} found by looser rules (case of letters, folders): {} for '{}'{}", source_, guessed_.size(),
-           guessed_.size() == 1 ? " was" : "s were", path.string(), name, guessed_.size() == 1 ? "" : ", and others");
+  std::vector<std::string> found;
+  for (const auto& [name, path] : guessed_) found.push_back(fmt::format("{} for '{}'", path.string(), name));
+  log_info("{}: {} file{} found by looser rules (case of letters, folders): {}", source_, guessed_.size(),
+           guessed_.size() == 1 ? " was" : "s were", first_names(found));
 }
 
 }  // namespace gnomon

@@ -5,6 +5,7 @@
 
 #include "base/log.h"
 #include "scene/blended.h"
+#include "scene/cut_away.h"
 
 namespace gnomon {
 namespace {
@@ -50,6 +51,7 @@ void finish_file_scene(Scene& scene, const SceneFileOptions& options) {
   if (options.params.up != up_y) turn(scene, upright(options.params.up));
   settle_blended(scene, options);
   check_scene(scene);
+  warn_of_cut_away(scene);
   const bool chosen = std::find(options.given.begin(), options.given.end(), "up") != options.given.end();
   if (!chosen) hint_at_other_up(scene);
 }

@@ -6,7 +6,9 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "base/lower_case.h"
+#include "base/visible_text.h"
 #include "base/warning_limit.h"
 #include "scene/path.h"
 
@@ -62,6 +64,23 @@ void refuse_for_obj(const std::string& path, const SceneFileOptions& options) {
   if (options.params.time != 0.0f) refuse("--time", options.params.time);
 }
 
+// Line breaks in what a file says - in names, and so in errors - are shown as text, since messages have lines of their own.
+Scene load_file(const std::filesystem::path& path, bool is_obj, const SceneFileOptions& options) {
+  const auto settle = [](auto& items) {
+    for (auto& item : items) item.name = visible_line(item.name);
+  };
+  try {
+    Scene scene = is_obj ? load_obj(path, options) : load_gltf(path, options);
+    settle(scene.objects), settle(scene.materials), settle(scene.meshes);
+    settle(scene.textures), settle(scene.lights), settle(scene.cameras);
+    return scene;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(visible_line(error.what()), error.code());
+  }
+}
+
 }  // namespace
 
 bool is_builtin_scene(std::string_view name) {
@@ -95,7 +114,7 @@ Scene load_scene(const std::string& name_or_path, const std::map<std::string, do
   }
   if (is_obj) refuse_for_obj(name_or_path, file_options);
   const WarningLimit limit;
-  Scene scene = is_obj ? load_obj(path, file_options) : load_gltf(path, file_options);
+  Scene scene = load_file(path, is_obj, file_options);
   add_default_paths(scene);
   return scene;
 }

@@ -72,7 +72,7 @@ class SceneHash {
   void add(const Material& m) {
     values(m.base_colour, m.base_colour_texture, m.normal_texture, m.normal_scale, m.masked, m.alpha_cutoff, m.double_sided);
     values(m.specular, m.shininess, m.emissive);
-    if (!m.casts || m.half_casts) values(m.casts, m.half_casts);
+    if (!m.casts || m.half_casts) values(m.casts, m.half_casts, m.half_texture);
     add(m.named_cast);
     add(m.base_colour_uv);
     add(m.normal_uv);

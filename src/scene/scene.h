@@ -50,8 +50,11 @@ struct Material {
   float alpha_cutoff = 0.5f;
   bool blended = false;  // lets light through (scene/blended.h); the camera sees it as solid as if it did not
   bool casts = true;
-  bool half_casts = false;  // a shadow only where base alpha * texture alpha >= 0.5, whatever the camera sees
-  NamedCast named_cast;
+  // A shadow only where base alpha * texture alpha >= 0.5, whatever the camera sees; of half_texture, where there is one,
+  // instead of base_colour_texture (same coordinates, size and wrap modes).
+  bool half_casts = false;
+  int half_texture = k_no_texture;
+  NamedCast named_cast;  // of one that is on: whatever the camera sees casts
   bool double_sided = false;
   vec3 specular = vec3(0.0f);  // Blinn-Phong colour and exponent
   float shininess = 32.0f;
@@ -59,7 +62,12 @@ struct Material {
 
   // Least alpha that the camera sees, and that casts; below 0: whatever the alpha.
   float seen_cutoff() const { return masked ? alpha_cutoff : -1.0f; }
-  float caster_cutoff() const { return half_casts ? 0.5f : seen_cutoff(); }
+  float caster_cutoff() const { return casts_by_half() ? 0.5f : seen_cutoff(); }
+  // Whose alpha that is.
+  int caster_texture() const { return casts_by_half() && half_texture != k_no_texture ? half_texture : base_colour_texture; }
+
+ private:
+  bool casts_by_half() const { return half_casts && !(named_cast.rule >= 0 && named_cast.on); }
 };
 
 // Triangles of one material. Every vector has one entry per vertex, except `indices` (three per triangle); loaders fill all

@@ -29,11 +29,18 @@ bool is_edge(const Image8& image, int x, int y) {
 
 }  // namespace
 
-bool has_transparency(const Image8& image) {
-  for (size_t i = 3; i < image.rgba.size(); i += 4) {
-    if (image.rgba[i] < 255) return true;
-  }
-  return false;
+bool has_transparency(const Image8& image) { return least_alpha(image) < 255; }
+
+uint8_t least_alpha(const Image8& image) {
+  uint8_t least = 255;
+  for (size_t i = 3; i < image.rgba.size() && least > 0; i += 4) least = std::min(least, image.rgba[i]);
+  return least;
+}
+
+uint8_t greatest_alpha(const Image8& image) {
+  uint8_t greatest = 0;
+  for (size_t i = 3; i < image.rgba.size() && greatest < 255; i += 4) greatest = std::max(greatest, image.rgba[i]);
+  return greatest;
 }
 
 AlphaShares alpha_shares(const Image8& image) {
@@ -70,11 +77,12 @@ bool is_grey(const Image8& image) {
   return true;
 }
 
-void set_alpha(Image8& colour, const Image8& mask) {
+void set_alpha(Image8& colour, const Image8& mask, bool inverted) {
   const bool own_alpha = has_transparency(mask);
   const auto value = [&](int x, int y) {
     const uint8_t* p = mask.at(std::clamp(x, 0, mask.width - 1), std::clamp(y, 0, mask.height - 1));
-    return own_alpha ? static_cast<float>(p[3]) : static_cast<float>(p[0] + p[1] + p[2]) / 3.0f;
+    const float opacity = own_alpha ? static_cast<float>(p[3]) : static_cast<float>(p[0] + p[1] + p[2]) / 3.0f;
+    return inverted ? 255.0f - opacity : opacity;
   };
   for (int y = 0; y < colour.height; ++y) {
     const float my =

@@ -6,6 +6,8 @@
 namespace gnomon {
 
 bool has_transparency(const Image8& image);  // any alpha below 255
+uint8_t least_alpha(const Image8& image);    // 255 of an empty picture
+uint8_t greatest_alpha(const Image8& image);
 // How the texels are spread over an alpha channel.
 struct AlphaShares {
   double clear = 0.0;  // below 1/8
@@ -22,7 +24,8 @@ bool is_cut_out(const AlphaShares& shares);
 bool is_grey(const Image8& image);  // red = green = blue everywhere
 
 // The alpha of `colour` becomes the mask, resampled to its size: the mask's own alpha where it has one, else its brightness.
-void set_alpha(Image8& colour, const Image8& mask);
+// `inverted`: the mask tells transparency.
+void set_alpha(Image8& colour, const Image8& mask, bool inverted = false);
 
 // Tangent-space normal map (+Y up) of a tiling height map. `slope`: rise over run where the height goes from 0 to 1 within a
 // texel.

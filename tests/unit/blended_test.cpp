@@ -8,6 +8,7 @@
 #include "gltf_builder.h"
 #include "hand_made_scene.h"
 #include "reference/cpu/embree_reference.h"
+#include "scene/casting.h"
 #include "scene_files.h"
 
 namespace gnomon {
@@ -76,6 +77,9 @@ TEST(Blended, ATextureCastsWhereItsAlphaTimesTheMaterialsIsHalf) {
   EXPECT_EQ(shadows(pane(0.6, 200, blend_casts_mask)), (Shadows{false, false})) << "0.47";
   EXPECT_EQ(shadows(pane(0.2, 255, blend_casts_mask)), (Shadows{false, false}));
   EXPECT_EQ(shadows(pane(0.2, 200, blend_casts_opaque)), (Shadows{true, false})) << "as the camera sees it";
+  EXPECT_EQ(shadows(pane(0.0, 200, blend_casts_opaque)), (Shadows{true, false}));
+  EXPECT_EQ(shadows(pane(1.0, 40, blend_casts_opaque)), (Shadows{true, false})) << "faint is not clear";
+  EXPECT_EQ(shadows(pane(1.0, 40, blend_casts_mask)), (Shadows{false, false}));
   EXPECT_EQ(shadows(pane(1.0, 255, blend_casts_none)), (Shadows{false, false}));
 }
 
@@ -89,6 +93,53 @@ TEST(Blended, TheCameraSeesTheSameUnderEveryRule) {
       EXPECT_LT(pane(alpha, {}, rule).materials[0].seen_cutoff(), 0.0f);
     }
   }
+}
+
+TEST(Blended, WhatIsFaintIsSeenAndWhatIsClearIsNot) {
+  for (const uint32_t rule : {blend_casts_opaque, blend_casts_mask, blend_casts_none}) {
+    for (const int alpha : {2, 60, 255}) {
+      const Scene scene = pane(1.0, static_cast<uint8_t>(alpha), rule);
+      const Material& m = scene.materials[0];
+      const Image8& seen = scene.textures.at(static_cast<size_t>(m.base_colour_texture)).image;
+      EXPECT_GE(m.base_colour.w * static_cast<float>(seen.at(0, 0)[3]) / 255.0f, m.seen_cutoff()) << alpha;
+      EXPECT_LT(m.base_colour.w * static_cast<float>(seen.at(12, 0)[3]) / 255.0f, m.seen_cutoff()) << alpha;
+    }
+  }
+}
+
+TEST(Blended, WhatIsNamedCastsAsTheCameraSeesIt) {
+  const std::vector<std::string> on = {"glass=on"};
+  for (const int alpha : {40, 140}) {
+    Scene scene = pane(0.9, static_cast<uint8_t>(alpha), blend_casts_mask);
+    apply_casting(scene, on);
+    EXPECT_EQ(shadows(scene), (Shadows{true, false})) << alpha;
+  }
+  Scene plain = pane(0.2, {}, blend_casts_mask);
+  apply_casting(plain, on);
+  EXPECT_EQ(shadows(plain), (Shadows{true, true}));
+}
+
+// A pane without a picture whose vertices have those colours.
+Scene pane_of_vertices(const std::string& mode, const std::vector<vec4>& colours) {
+  GltfBuilder b;
+  const json attributes = {{"POSITION", b.positions({{-1, 1, -1}, {-1, 1, 1}, {1, 1, -1}, {1, 1, 1}})},
+                           {"COLOR_0", b.vec4s(colours)}};
+  const int indices = b.indices({0, 1, 2, 2, 1, 3});
+  b.root["materials"] = json::array({{{"name", "glass"}, {"alphaMode", mode}}, {{"name", "other"}}});
+  b.node({{"mesh", b.mesh(attributes, indices, {{"material", 0}})}});
+  return b.load();
+}
+
+TEST(Blended, AlphaOfVerticesCountsWhereItIsTheSameAllOver) {
+  const vec4 faint(1, 1, 1, 0.25f), solid(1);
+  EXPECT_EQ(shadows(pane_of_vertices("BLEND", {faint, faint, faint, faint})), (Shadows{false, false}));
+  EXPECT_EQ(shadows(pane_of_vertices("MASK", {faint, faint, faint, faint})), (Shadows{false, false}));
+  EXPECT_EQ(shadows(pane_of_vertices("OPAQUE", {faint, faint, faint, faint})), (Shadows{true, true}));
+  const WarningWatch watch;
+  EXPECT_EQ(shadows(pane_of_vertices("MASK", {faint, solid, faint, solid})), (Shadows{true, true}));
+  ASSERT_EQ(watch.texts().size(), 1u);
+  EXPECT_NE(watch.texts()[0].find("COLOR_0"), std::string::npos);
+  EXPECT_NE(watch.texts()[0].find("glass (in meshes[0])"), std::string::npos) << watch.texts()[0];
 }
 
 TEST(Blended, DissolveOfMtlIsBlended) {

@@ -47,7 +47,27 @@ TEST(Mtl, NumbersAsTheFormatHasThem) {
   EXPECT_EQ(silently("Tr 0.25").dissolve, 0.75f);
   EXPECT_EQ(silently("Tr 1\nd 0.75").dissolve, 0.75f);
   EXPECT_EQ(silently("d 0.75\nTr 1").dissolve, 0.75f) << "d goes before Tr in either order";
-  EXPECT_EQ(silently("Ka spectral a.rfl\nNi x\nunknown 3").dissolve, 1.0f) << "what is not used is not checked";
+  EXPECT_EQ(silently("Ka spectral a.rfl\nNi x\nillum many").dissolve, 1.0f) << "what is not used is not checked";
+}
+
+TEST(Mtl, NumbersOutOfRangeAreSaid) {
+  EXPECT_EQ(warned("d 2", {"a.mtl:2: d: is 2", "valid: 0 to 1; 1 is used"}).dissolve, 1.0f);
+  EXPECT_EQ(warned("d -1", {"a.mtl:2: d: is -1", "0 is used"}).dissolve, 0.0f);
+  EXPECT_EQ(warned("Tr 30", {"a.mtl:2: Tr: is 30"}).dissolve, 0.0f);
+  EXPECT_EQ(warned("Kd 255 128 0", {"a.mtl:2: Kd 255 128 0: ", "valid: 0 to 1"}).diffuse, vec3(255, 128, 0));
+}
+
+TEST(Mtl, UnknownKeywordsAreSummedUp) {
+  warned("mapKd a.png\nKdd 1 0 0\nmap_alhpa b.png\nKdd 1 1 0",
+         {"a.mtl:2: ", "Kdd (line 3)", "mapKd (line 2)", "map_alhpa (line 4)"});
+  silently("illum 2\nPr 0.5\nmap_Ns a.png\nmap_Pm b.png\nrefl c.png\nTf 1 1 1\nsharpness 60");
+}
+
+TEST(Mtl, OpacityByOtherNames) {
+  EXPECT_EQ(silently("map_opacity a.png").alpha.name, "a.png");
+  EXPECT_FALSE(silently("map_opacity a.png").alpha.inverted);
+  EXPECT_TRUE(silently("map_Tr -clamp on a.png").alpha.inverted);
+  EXPECT_EQ(silently("map_Tr a.png").alpha.name, "a.png");
 }
 
 TEST(Mtl, ColoursOfCieXyzAreConverted) {

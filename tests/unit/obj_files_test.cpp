@@ -201,6 +201,77 @@ TEST_F(ObjFiles, TheSettingDecidesInstead) {
   EXPECT_TRUE(warnings_.empty());
 }
 
+TEST_F(ObjFiles, AlphaThatWouldLeaveNothingIsNotCalledSmooth) {
+  picture("a.png", [](int, int) { return Texel{0, 200, 0, 0}; });
+  EXPECT_FALSE(load_with("newmtl m\nmap_Kd a.png\n").materials[0].masked);
+  EXPECT_EQ(warned("nothing would be left of m"), 1);
+  EXPECT_EQ(warned("smooth"), 0);
+}
+
+TEST_F(ObjFiles, DissolveIsMultipliedWithThePicture) {
+  picture("a.png", leaf);
+  for (const std::string map : {"map_Kd a.png\n", "map_d a.png\n"}) {
+    const Material m = load_with("newmtl m\nd 0.4\n" + map).materials[0];
+    EXPECT_TRUE(m.blended && m.masked);
+    EXPECT_FALSE(m.casts) << "0.4 at most";
+    EXPECT_EQ(warned("blended materials: m; "), 1);
+    const Material solid = load_with("newmtl m\nTr 0.3\n" + map).materials[0];
+    EXPECT_TRUE(solid.casts && solid.half_casts);
+    EXPECT_FLOAT_EQ(solid.base_colour.w, 0.7f);
+  }
+}
+
+TEST_F(ObjFiles, AMapOfTransparencyIsTheOpposite) {
+  picture("a.png", [](int x, int) { return x < 4 ? Texel{255, 255, 255, 255} : Texel{0, 0, 0, 255}; });
+  const auto alpha_at_left = [&](const std::string& keyword) {
+    const Scene scene = load_with("newmtl m\n" + keyword + " a.png\n");
+    EXPECT_TRUE(scene.materials[0].masked) << keyword;
+    return scene.textures.at(0).image.at(0, 0)[3];
+  };
+  EXPECT_EQ(alpha_at_left("map_d"), 255);
+  EXPECT_EQ(alpha_at_left("map_opacity"), 255);
+  EXPECT_EQ(alpha_at_left("map_Tr"), 0);
+}
+
+TEST_F(ObjFiles, WhatIsCutAwayAsAWholeIsNamed) {
+  picture("a.png", [](int, int) { return Texel{60, 60, 60, 255}; });
+  load_with("newmtl m\nmap_d a.png\n");
+  EXPECT_EQ(warned("cut away as a whole: m; "), 1);
+}
+
+TEST_F(ObjFiles, ACommentMayFollowAPicture) {
+  picture("a.png", leaf), picture("b #2.png", leaf);
+  EXPECT_EQ(load_with("newmtl m\nmap_Kd a.png # bark\n").textures.size(), 1u);
+  EXPECT_EQ(warned("missing"), 0);
+  EXPECT_EQ(load_with("newmtl m\nmap_Kd b #2.png\n").textures.size(), 1u);
+  EXPECT_EQ(warned("missing"), 0);
+}
+
+// --- faces without texture coordinates ---
+
+TEST_F(ObjFiles, FacesWithoutCoordinatesHaveThePlainColour) {
+  picture("a.png", leaf);
+  for (const std::string map : {"map_Kd a.png\n", "map_d a.png\n"}) {
+    write("lib.mtl", "newmtl m\nKd 0 1 0\n" + map);
+    const Scene bare = load("mtllib lib.mtl", "usemtl m\nf 1 2 3\n");
+    const Material& plain = bare.materials[static_cast<size_t>(bare.meshes[0].parts[0].material)];
+    EXPECT_EQ(plain.name, "m");
+    EXPECT_EQ(plain.base_colour, vec4(0, 1, 0, 1));
+    EXPECT_EQ(plain.base_colour_texture, k_no_texture);
+    EXPECT_FALSE(plain.masked);
+    EXPECT_EQ(warned("faces without texture coordinates: m (in test.obj); "), 1);
+    EXPECT_EQ(warned("holes taken"), 0);
+    const Scene both = load("mtllib lib.mtl", "o tree\nusemtl m\nf 1 2 3\nf 1/1 2/2 3/3\n");
+    ASSERT_EQ(both.meshes[0].parts.size(), 2u);
+    EXPECT_FALSE(both.materials[static_cast<size_t>(both.meshes[0].parts[0].material)].masked);
+    EXPECT_TRUE(both.materials[static_cast<size_t>(both.meshes[0].parts[1].material)].masked);
+    EXPECT_EQ(warned("m (in tree)"), 1);
+  }
+  write("lib.mtl", "newmtl m\nKd 0 1 0\n");
+  load("mtllib lib.mtl", "usemtl m\nf 1 2 3\n");
+  EXPECT_TRUE(warnings_.empty()) << "nothing is lost";
+}
+
 // --- what is left out of the geometry ---
 
 TEST_F(ObjFiles, LinesPointsAndSurfacesAreSummedUp) {
@@ -220,9 +291,10 @@ TEST_F(ObjFiles, IndicesThatPointAtNothingCostTheirAttributeOnly) {
   const Scene normals = load("vn 0 0 -1", "f 1//1 2//1 3//1\nf 1//1 2//0 3//1\nf 1/1/1 2/2/99999999999999999999 3/3/1\n");
   EXPECT_EQ(normals.triangle_count(), 3u);
   EXPECT_EQ(warned("test.obj:9: 2 face(s) name normals (vn) that are not there"), 1);
-  ASSERT_EQ(normals.meshes[0].parts.size(), 2u);
+  ASSERT_EQ(normals.meshes[0].parts.size(), 3u) << "the last has texture coordinates, too";
   EXPECT_EQ(normals.meshes[0].parts[0].normals[0], vec3(0, 0, -1)) << "given";
   EXPECT_EQ(normals.meshes[0].parts[1].normals[0], vec3(0, 0, 1)) << "made";
+  EXPECT_EQ(normals.meshes[0].parts[2].normals[0], vec3(0, 0, 1)) << "made";
 }
 
 TEST_F(ObjFiles, FacesByTheirOldName) { EXPECT_EQ(load("", "fo 1/1 2/2 3/3\n").triangle_count(), 1u); }

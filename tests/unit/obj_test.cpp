@@ -390,7 +390,8 @@ TEST_F(ObjMaterials, WhatIsMissingKeepsTheColour) {
 TEST_F(ObjMaterials, PicturesAreShared) {
   picture("a.png", 2, 2, [](int, int) { return std::array<uint8_t, 4>{9, 9, 9, 255}; });
   write_file(folder_.path() / "lib.mtl", std::string("newmtl m\nmap_Kd a.png\nnewmtl n\nmap_Kd a.png\nKd 1 0 0\n"));
-  const Scene scene = load("mtllib lib.mtl\n" + std::string(k_quad) + "usemtl m\nf 1 2 3\nusemtl n\nf 1 3 4\n", folder_.path());
+  const Scene scene = load(
+      "mtllib lib.mtl\n" + std::string(k_quad) + "vt 0 0\nusemtl m\nf 1/1 2/1 3/1\nusemtl n\nf 1/1 3/1 4/1\n", folder_.path());
   EXPECT_EQ(scene.materials.size(), 2u);
   EXPECT_EQ(scene.textures.size(), 1u);
 }

@@ -8,8 +8,8 @@
 bool alpha_exists(MaterialData material, vec2 uv) {
   if (material.caster_cutoff < 0.0) return true;
   float alpha = material.base_colour.a;
-  if (material.base_texture != k_no_texture_index) {
-    uint image = material.base_texture;
+  if (material.caster_texture != k_no_texture_index) {
+    uint image = material.caster_texture;
     ivec2 size = textureSize(material_textures[nonuniformEXT(image)], 0);
     vec2 position = texel_position(transform_uv(material.base_uv_u, material.base_uv_v, uv), size);
     ivec2 low = texel_below(position);

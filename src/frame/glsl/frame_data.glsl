@@ -42,6 +42,7 @@ struct MaterialData {
   vec4 base_colour;
   vec3 base_uv_u, base_uv_v, normal_uv_u, normal_uv_v;  // rows of the 2x3 uv transforms
   uint base_texture, normal_texture;                    // bindless indices, or k_no_texture_index
+  uint caster_texture;                                  // whose alpha decides what casts; sampled as base_texture is
   uint base_sampler, normal_sampler;
   uint base_wrap_u, base_wrap_v;
   float seen_cutoff, caster_cutoff;  // least alpha that the camera sees, and that casts; below 0: whatever the alpha

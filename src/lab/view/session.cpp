@@ -37,7 +37,8 @@ void warn_of_coarse_coordinates(const Scene& scene) {
         "{}: {:.3g} m across, and up to {:.3g} m from the origin, where 32-bit numbers are {:.2g} m apart: surfaces and "
         "shadows will be coarse or "
         "lost; move the model to the origin",
-        scene.name, 2.0f * box.radius(), box.radius() + glm::length(box.centre()), step_m);
+        scene.source.empty() ? scene.name : scene.source, 2.0f * box.radius(), box.radius() + glm::length(box.centre()),
+        step_m);
   }
 }
 

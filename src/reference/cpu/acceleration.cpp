@@ -87,7 +87,7 @@ embree::Geometry Acceleration::build_part(const MeshPart& part, const mat4& tran
 
   const Material& material = scene_.materials[static_cast<size_t>(part.material)];
   if (material.caster_cutoff() >= 0.0f) {
-    const int texture = material.base_colour_texture;
+    const int texture = material.caster_texture();
     const Texture* picture = texture == k_no_texture ? nullptr : &scene_.textures[static_cast<size_t>(texture)];
     masked_parts_.push_back(std::make_unique<MaskedPart>(MaskedPart{part, material, picture}));
     rtcSetGeometryUserData(geometry.get(), masked_parts_.back().get());

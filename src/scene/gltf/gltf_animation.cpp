@@ -70,6 +70,17 @@ class AnimationReader {
   std::vector<GltfValue> samplers_;
 };
 
+size_t keys_without_direction(const GltfCurve& curve) {
+  if (!curve.rotation) return 0;
+  const bool cubic = curve.interpolation == GltfCurve::Interpolation::cubic_spline;
+  size_t count = 0;
+  for (size_t key = 0; key < curve.times.size(); ++key) {
+    const size_t at = cubic ? (3 * key + 1) * curve.width : key * curve.width;
+    count += !(glm::length(glm::make_vec4(&curve.values[at])) > 1e-6f);
+  }
+  return count;
+}
+
 int choose_animation(const GltfDocument& document, const std::vector<GltfValue>& animations, const std::string& name) {
   const int chosen = name.empty() ? 0 : find_named(animations, name);
   if (chosen < 0) fail_usage("{}: --animation {}: valid: {}", document.name(), name, names_of(animations));
@@ -129,7 +140,11 @@ MorphWeights apply_animation(const GltfDocument& document, const GltfAccessors& 
       ++left_out;  // KHR_animation_pointer moves other things; a matrix has no parts that could move
       continue;
     }
-    const std::vector<float> value = reader.read_curve(channel, path).at(time_s);
+    const GltfCurve curve = reader.read_curve(channel, path);
+    if (const size_t without = keys_without_direction(curve); without > 0)
+      log_warning("{}: {}: {} rotations have no length, which turns nothing; valid: unit quaternions", document.name(),
+                  channel.place(), without);
+    const std::vector<float> value = curve.at(time_s);
     GltfTransform& transform = hierarchy.transform(node);
     if (path == "translation") transform.translation = glm::make_vec3(value.data());
     if (path == "rotation") transform.rotation = glm::make_vec4(value.data());

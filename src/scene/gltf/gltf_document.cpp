@@ -113,6 +113,7 @@ void GltfDocument::split_binary(Bytes bytes) {
 }
 
 void GltfDocument::parse_json(std::string_view text, size_t offset) {
+  if (text.starts_with("\xfe\xff") || text.starts_with("\xff\xfe")) fail("{}:1: UTF-16 text; valid: UTF-8", name_);
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   try {
     json_ = nlohmann::json::parse(text);
@@ -146,8 +147,9 @@ void GltfDocument::check_required_extensions() const {
   }
   if (!ignored.empty()) {
     log_warning(
-        "{}: extensionsRequired: {} is not read; it changes looks, not shapes: what has no holes casts the right shadow", name_,
-        fmt::join(ignored, ", "));
+        "{}: extensionsRequired: {} is not read; it does not change what stands where: what has no holes casts the right "
+        "shadow",
+        name_, fmt::join(ignored, ", "));
   }
 }
 

@@ -24,7 +24,7 @@ GltfTransform read_transform(const GltfValue& json) {
   }
   result.rotation = json.vector<4>("rotation", result.rotation);
   if (!(glm::length(result.rotation) > 1e-6f) || !std::isfinite(glm::length(result.rotation)))
-    json.fail_in("rotation", "valid: a unit quaternion");
+    json.fail_in("rotation", "has no length that a number can hold; valid: a unit quaternion");
   result.translation = json.vector<3>("translation", result.translation);
   result.scale = json.vector<3>("scale", result.scale);
   return result;
@@ -142,6 +142,32 @@ std::vector<int> GltfHierarchy::roots(const std::string& scene) const {
     if (nodes_[i].parent < 0) all.push_back(static_cast<int>(i));
   }
   return all;
+}
+
+std::vector<int> GltfHierarchy::shown_nodes(const std::string& scene) const {
+  const std::vector<int> roots_of_scene = roots(scene);
+  std::vector<int> shown;
+  // With a stack of its own: a chain of a million nodes must not end ours.
+  std::vector<int> open(roots_of_scene.rbegin(), roots_of_scene.rend());
+  while (!open.empty()) {
+    const int node = open.back();
+    open.pop_back();
+    const auto visibility = json(node).extension("KHR_node_visibility");
+    if (visibility && !visibility->flag("visible", true)) continue;  // with all below it
+    shown.push_back(node);
+    const std::vector<int>& below = children(node);
+    open.insert(open.end(), below.rbegin(), below.rend());  // the first comes off the stack first
+  }
+  return shown;
+}
+
+std::vector<bool> GltfHierarchy::meshes_of(const std::vector<int>& nodes) const {
+  std::vector<bool> has(document_.root().objects("meshes").size(), false);
+  for (const int node : nodes) {
+    const int mesh = json(node).index("mesh", has.size(), "meshes");
+    if (mesh >= 0) has[static_cast<size_t>(mesh)] = true;
+  }
+  return has;
 }
 
 }  // namespace gnomon

@@ -41,6 +41,10 @@ class GltfHierarchy {
   // have no parent. Usage error for a name that is not there.
   std::vector<int> roots(const std::string& scene) const;
   std::vector<mat4> world_from_nodes() const;
+  // Those of the chosen scene that are visible (KHR_node_visibility), parents before their children.
+  std::vector<int> shown_nodes(const std::string& scene) const;
+  // By mesh of the file: whether one of the nodes has it.
+  std::vector<bool> meshes_of(const std::vector<int>& nodes) const;
 
  private:
   struct Node {

@@ -4,6 +4,7 @@
 #include "scene/finish_file_scene.h"
 #include "scene/gltf/gltf_accessors.h"
 #include "scene/gltf/gltf_document.h"
+#include "scene/gltf/gltf_hierarchy.h"
 #include "scene/gltf/gltf_materials.h"
 #include "scene/gltf/gltf_meshes.h"
 #include "scene/gltf/gltf_nodes.h"
@@ -18,8 +19,13 @@ Scene load_gltf_from_memory(std::span<const std::byte> bytes, const std::string&
   scene.source = name;
   scene.name = std::filesystem::path(name).filename().string();
   const GltfAccessors accessors(document);
-  GltfMaterials materials(document, scene);
-  add_gltf_nodes(document, accessors, read_gltf_meshes(document, accessors, materials), options, scene);
+  GltfHierarchy hierarchy(document);
+  const std::vector<int> shown_nodes = hierarchy.shown_nodes(options.gltf_scene);
+  const std::vector<bool> shown = hierarchy.meshes_of(shown_nodes);
+  GltfMaterials materials(document, shown, scene);
+  std::vector<GltfMesh> meshes = read_gltf_meshes(document, accessors, shown, materials);
+  materials.say_what_is_lost();
+  add_gltf_nodes(document, accessors, std::move(meshes), options, std::move(hierarchy), shown_nodes, scene);
   if (scene.materials.empty()) materials.default_material();
   finish_file_scene(scene, options);
   return scene;

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interrupt.h"
 #include "base/log.h"
+#include "scene/lost_pictures.h"
 #include "scene/parallel.h"
 #include "scene/texture_tools.h"
 
@@ -38,17 +40,19 @@ bool names_base_colour_texture(const GltfValue& material) {
 
 }  // namespace
 
-GltfMaterials::GltfMaterials(GltfDocument& document, Scene& scene) : document_(document), scene_(scene) {
+GltfMaterials::GltfMaterials(GltfDocument& document, const std::vector<bool>& shown_meshes, Scene& scene)
+    : document_(document), scene_(scene), variants_(scene) {
   const GltfValue root = document.root();
   images_ = root.objects("images");
   samplers_ = root.objects("samplers");
   textures_ = root.objects("textures");
-  const std::vector<bool> used = used_materials();
+  const std::vector<bool> used = used_materials(shown_meshes);
   for (const GltfValue& material : root.objects("materials")) {
     is_used_ = used[scene_.materials.size()];
     read_material(material);
   }
   decode_pictures();
+  drop_pictures_that_cannot_be_read();
   settle_coverage();
   warn_of_lost_cutouts();
 }
@@ -61,13 +65,41 @@ int GltfMaterials::default_material() {
   return default_material_;
 }
 
+int GltfMaterials::of_part(int material, const MeshPart& part, const std::string& mesh) {
+  if (material < 0) return default_material();
+  const auto index = static_cast<size_t>(material);
+  const bool tested = is_tested_[index];
+  int result = material;
+  if ((tested || scene_.materials[index].blended) && !part.colours.empty()) {
+    const auto [least, greatest] =
+        std::minmax_element(part.colours.begin(), part.colours.end(), [](const vec4& a, const vec4& b) { return a.w < b.w; });
+    const std::string name = fmt::format("{} (in {})", scene_.materials[index].name, mesh);
+    if (least->w == greatest->w) {
+      result = variants_.with_alpha(result, std::clamp(least->w, 0.0f, 1.0f), tested);
+    } else if (std::find(uneven_alpha_.begin(), uneven_alpha_.end(), name) == uneven_alpha_.end()) {
+      uneven_alpha_.push_back(name);
+    }
+  }
+  return part.uvs.empty() ? variants_.without_uvs(result, mesh) : result;
+}
+
+void GltfMaterials::say_what_is_lost() const {
+  variants_.say(document_.name());
+  if (uneven_alpha_.empty()) return;
+  log_warning(
+      "{}: the alpha of the vertices' colours (COLOR_0) differs within a part of a mesh and is not read: {}; what is seen and "
+      "casts goes by the alpha of material and texture alone",
+      document_.name(), first_names(uneven_alpha_));
+}
+
 // --- pictures --------------------------------------------------------------------------------------------------------
 
-// Of any primitive, placed or not.
-std::vector<bool> GltfMaterials::used_materials() const {
+std::vector<bool> GltfMaterials::used_materials(const std::vector<bool>& shown_meshes) const {
   std::vector<bool> used(document_.root().objects("materials").size(), false);
-  for (const GltfValue& mesh : document_.root().objects("meshes")) {
-    for (const GltfValue& primitive : mesh.objects("primitives")) {
+  const std::vector<GltfValue> meshes = document_.root().objects("meshes");
+  for (size_t i = 0; i < meshes.size(); ++i) {
+    if (!shown_meshes[i]) continue;
+    for (const GltfValue& primitive : meshes[i].objects("primitives")) {
       const int material = primitive.index("material", used.size(), "materials");
       if (material >= 0) used[static_cast<size_t>(material)] = true;
     }
@@ -94,28 +126,68 @@ void GltfMaterials::load_picture(Picture& picture, const GltfValue& json) {
   const std::string uri = json.text("uri", "");
   if ((view < 0) == uri.empty()) json.fail_here("valid: either uri or bufferView");
   picture.name = json.text("name", uri.starts_with("data:") || uri.empty() ? json.place() : uri);
-  if (view >= 0) {
-    const Bytes bytes = document_.view(view, json.where("bufferView"));
-    picture.encoded.assign(bytes.begin(), bytes.end());
-  } else if (uri.starts_with("data:") || document_.find_file(uri)) {
-    picture.encoded = document_.read_uri(uri, json.where("uri"));
-  } else {
-    log_warning("{}: {}.uri: {} is not there; its materials keep their plain colour", document_.name(), json.place(), uri);
+  try {
+    if (view >= 0) {
+      const Bytes bytes = document_.view(view, json.where("bufferView"));
+      picture.encoded.assign(bytes.begin(), bytes.end());
+    } else if (uri.starts_with("data:") || document_.find_file(uri)) {
+      picture.encoded = document_.read_uri(uri, json.where("uri"));
+    } else {
+      picture.problem = fmt::format("{}: {}.uri: {} is not there", document_.name(), json.place(), uri);
+    }
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const Error& error) {
+    picture.problem = error.what();
+    if (!picture.problem.starts_with(document_.name()))  // of a file beside it
+      picture.problem = fmt::format("{}: {}.uri: {}", document_.name(), json.place(), picture.problem);
   }
 }
 
 void GltfMaterials::decode_pictures() {
   std::vector<Picture*> work;
   for (auto& [image, picture] : pictures_) {
-    if (!picture.encoded.empty()) work.push_back(&picture);
+    if (picture.problem.empty()) work.push_back(&picture);
   }
   Progress progress("reading textures of " + document_.name(), work.size());
   parallel_for(work.size(), progress, [&](size_t i) {
-    const std::string name = fmt::format("{}: {}", document_.name(), work[i]->place);
-    work[i]->image = decode_image(work[i]->encoded, name);
+    const std::string own = work[i]->name == work[i]->place ? "" : fmt::format(" ({})", work[i]->name);
+    const std::string name = fmt::format("{}: {}{}", document_.name(), work[i]->place, own);
+    try {
+      work[i]->image = decode_image(work[i]->encoded, name);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const Error& error) {
+      work[i]->problem = error.what();
+    }
     work[i]->encoded = {};
   });
   for (size_t i = 0; i < scene_.textures.size(); ++i) scene_.textures[i].image = pictures_.at(picture_of_texture_[i]).image;
+}
+
+// Which cut-outs are lost with them is said by material.
+void GltfMaterials::drop_pictures_that_cannot_be_read() {
+  for (const auto& [image, picture] : pictures_) {
+    if (!picture.problem.empty()) log_warning("{}; its materials keep their plain colour", picture.problem);
+  }
+  std::vector<int> kept(scene_.textures.size(), k_no_texture);  // texture -> where it goes
+  std::vector<Texture> textures;
+  for (size_t i = 0; i < kept.size(); ++i) {
+    if (!pictures_.at(picture_of_texture_[i]).problem.empty()) continue;
+    kept[i] = static_cast<int>(textures.size());
+    textures.push_back(std::move(scene_.textures[i]));
+  }
+  scene_.textures = std::move(textures);
+  const auto settle = [&](int& texture) {
+    const bool was_there = texture != k_no_texture;
+    if (was_there) texture = kept[static_cast<size_t>(texture)];
+    return was_there && texture == k_no_texture;
+  };
+  for (size_t i = 0; i < scene_.materials.size(); ++i) {
+    Material& material = scene_.materials[i];
+    if (settle(material.base_colour_texture) && (is_tested_[i] || material.blended)) without_cutouts_.push_back(material.name);
+    settle(material.normal_texture);
+  }
 }
 
 int GltfMaterials::texture(const GltfValue& info, bool srgb, UvTransform& transform, int& uv_set) {
@@ -136,7 +208,6 @@ int GltfMaterials::texture(const GltfValue& info, bool srgb, UvTransform& transf
   }
   const auto [picture, is_new_picture] = pictures_.try_emplace(sampled.image);
   if (is_new_picture) load_picture(picture->second, images_[static_cast<size_t>(sampled.image)]);
-  if (picture->second.encoded.empty()) return k_no_texture;
   const auto [made, is_new] =
       made_.try_emplace({sampled.image, sampled.wrap_u, sampled.wrap_v, srgb}, static_cast<int>(scene_.textures.size()));
   if (is_new) {
@@ -161,6 +232,7 @@ void GltfMaterials::read_material(const GltfValue& json) {
   material.double_sided = json.flag("doubleSided", false);
   material.alpha_cutoff = static_cast<float>(json.number("alphaCutoff", 0.5, 0.0));
   const std::string mode = json.text("alphaMode", "OPAQUE");
+  is_tested_.push_back(mode == "MASK");
   if (mode == "MASK") {
     material.masked = true;
   } else if (mode == "BLEND") {
@@ -238,12 +310,8 @@ void GltfMaterials::settle_coverage() {
 // A lost colour is no matter for shadows; a lost alpha channel is.
 void GltfMaterials::warn_of_lost_cutouts() const {
   if (without_cutouts_.empty()) return;
-  constexpr size_t k_shown = 3;
-  std::string list;
-  for (size_t i = 0; i < std::min(without_cutouts_.size(), k_shown); ++i) list += (i ? ", " : "") + without_cutouts_[i];
-  if (without_cutouts_.size() > k_shown) list += fmt::format(" and {} more", without_cutouts_.size() - k_shown);
   log_warning("{}: alpha-tested materials without their texture: {}; their cut-outs are lost: they cast as solid sheets",
-              document_.name(), list);
+              document_.name(), first_names(without_cutouts_));
 }
 
 }  // namespace gnomon

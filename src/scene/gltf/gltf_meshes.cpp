@@ -50,8 +50,8 @@ size_t without_length(const std::vector<T>& directions) {
 class Primitive {
  public:
   Primitive(GltfDocument& document, const GltfAccessors& accessors, GltfMaterials& materials, const GltfValue& json,
-            Mended& mended)
-      : document_(document), accessors_(accessors), materials_(materials), json_(json), mended_(mended) {}
+            const std::string& mesh, Mended& mended)
+      : document_(document), accessors_(accessors), materials_(materials), json_(json), mesh_(mesh), mended_(mended) {}
 
   // nullopt where there is nothing to draw as triangles.
   std::optional<GltfPart> read() {
@@ -69,14 +69,20 @@ class Primitive {
     GltfPart result;
     result.place = json_.place();
     MeshPart& part = result.part;
-    part.material = material >= 0 ? material : materials_.default_material();
-    part.indices = triangles_of(mode, read_indices(index_accessor));
+    std::vector<uint32_t> indices = read_indices(index_accessor);
+    const size_t left_over = mode == k_triangles ? indices.size() % 3 : indices.size() < 3 ? indices.size() : 0;
+    if (left_over > 0) {
+      log_warning("{}: {}: {} indices are no whole number of triangles; the last {} of them are left out", document_.name(),
+                  index_accessor >= 0 ? json_.where("indices") : json_.place(), indices.size(), left_over);
+    }
+    part.indices = triangles_of(mode, std::move(indices));
     compact(part.indices);
     part.positions = attribute<3>("POSITION");
     read_directions(part);
     const std::string uv = fmt::format("TEXCOORD_{}", materials_.uv_set(material));
     if (has(uv)) part.uvs = attribute<2>(uv, &mended_.uvs);
     if (has("COLOR_0")) part.colours = colours();
+    part.material = materials_.of_part(material, part, mesh_);
     for (const GltfValue& target : json_.objects("targets")) result.targets.push_back(read_target(target));
     if (has("JOINTS_0")) result.influences = read_influences();
     result.file_vertices = std::move(used_);
@@ -252,6 +258,7 @@ class Primitive {
   const GltfAccessors& accessors_;
   GltfMaterials& materials_;
   const GltfValue& json_;
+  const std::string& mesh_;
   Mended& mended_;
   std::map<std::string, int> accessor_of_;
   DracoMesh draco_;
@@ -285,15 +292,20 @@ std::vector<float> read_weights(const GltfDocument& document, const GltfValue& m
 
 }  // namespace
 
-std::vector<GltfMesh> read_gltf_meshes(GltfDocument& document, const GltfAccessors& accessors, GltfMaterials& materials) {
+std::vector<GltfMesh> read_gltf_meshes(GltfDocument& document, const GltfAccessors& accessors, const std::vector<bool>& shown,
+                                       GltfMaterials& materials) {
   std::vector<GltfMesh> meshes;
   for (const GltfValue& json : document.root().objects("meshes")) {
     GltfMesh mesh;
     mesh.name = json.text("name", json.place());
+    if (!shown[meshes.size()]) {
+      meshes.push_back(std::move(mesh));
+      continue;
+    }
     Mended mended;
     for (const GltfValue& primitive : json.objects("primitives")) {
       check_cancelled();
-      if (auto part = Primitive(document, accessors, materials, primitive, mended).read())
+      if (auto part = Primitive(document, accessors, materials, primitive, mesh.name, mended).read())
         mesh.parts.push_back(std::move(*part));
     }
     warn_of(mended, document, json);

@@ -27,7 +27,9 @@ struct GltfMesh {
   std::vector<GltfPart> parts;
 };
 
-// Every mesh of the file, in its order, placed or not; one without triangles has no parts.
-std::vector<GltfMesh> read_gltf_meshes(GltfDocument& document, const GltfAccessors& accessors, GltfMaterials& materials);
+// The meshes of the file, in its order; one without triangles has no parts, nor has one that is not `shown`, whose data may be
+// damaged.
+std::vector<GltfMesh> read_gltf_meshes(GltfDocument& document, const GltfAccessors& accessors, const std::vector<bool>& shown,
+                                       GltfMaterials& materials);
 
 }  // namespace gnomon

@@ -44,40 +44,29 @@ const char* kind_name(LightKind kind) {
 class Nodes {
  public:
   Nodes(GltfDocument& document, const GltfAccessors& accessors, std::vector<GltfMesh> meshes, const SceneFileOptions& options,
-        Scene& scene)
-      : document_(document), accessors_(accessors), meshes_(std::move(meshes)), scene_(scene), hierarchy_(document) {
+        GltfHierarchy hierarchy, Scene& scene)
+      : document_(document),
+        accessors_(accessors),
+        meshes_(std::move(meshes)),
+        scene_(scene),
+        hierarchy_(std::move(hierarchy)) {
     const GltfValue root = document.root();
     skin_count_ = root.count("skins");
     for (const GltfValue& camera : root.objects("cameras")) cameras_.push_back(read_gltf_camera(camera));
     if (const auto lights = root.extension("KHR_lights_punctual")) {
       for (const GltfValue& light : lights->objects("lights")) lights_.push_back(read_gltf_light(light));
     }
-    roots_ = hierarchy_.roots(options.gltf_scene);
     weights_ = apply_animation(document, accessors, options.animation, options.params.time, hierarchy_);
     world_from_nodes_ = hierarchy_.world_from_nodes();
   }
 
-  void add() {
-    for (const int root : roots_) visit(root);
+  void add(const std::vector<int>& shown) {
+    for (const int node : shown) add_node(node);
     scene_.meshes = posed_meshes(document_, std::move(meshes_), poses_);
     settle_far_planes();
   }
 
  private:
-  // With a stack of its own: a chain of a million nodes must not end ours.
-  void visit(int root) {
-    std::vector<int> open = {root};
-    while (!open.empty()) {
-      const int node = open.back();
-      open.pop_back();
-      const auto visibility = hierarchy_.json(node).extension("KHR_node_visibility");
-      if (visibility && !visibility->flag("visible", true)) continue;  // with all below it
-      add_node(node);
-      const std::vector<int>& children = hierarchy_.children(node);
-      open.insert(open.end(), children.rbegin(), children.rend());  // the first comes off the stack first
-    }
-  }
-
   void add_node(int node) {
     const GltfValue& json = hierarchy_.json(node);
     const mat4& world_from_node = world_from_nodes_[static_cast<size_t>(node)];
@@ -218,7 +207,6 @@ class Nodes {
   std::vector<GltfMesh> meshes_;
   Scene& scene_;
   GltfHierarchy hierarchy_;
-  std::vector<int> roots_;
   std::vector<mat4> world_from_nodes_;
   MorphWeights weights_;
   size_t skin_count_ = 0;
@@ -232,8 +220,8 @@ class Nodes {
 }  // namespace
 
 void add_gltf_nodes(GltfDocument& document, const GltfAccessors& accessors, std::vector<GltfMesh> meshes,
-                    const SceneFileOptions& options, Scene& scene) {
-  Nodes(document, accessors, std::move(meshes), options, scene).add();
+                    const SceneFileOptions& options, GltfHierarchy hierarchy, const std::vector<int>& shown, Scene& scene) {
+  Nodes(document, accessors, std::move(meshes), options, std::move(hierarchy), scene).add(shown);
 }
 
 }  // namespace gnomon

@@ -6,13 +6,18 @@
 
 namespace gnomon {
 
-bool AlphaDecision::cuts(const Image8& picture, const std::string& material) {
+bool AlphaDecision::cuts(const Image8& picture, const std::string& material, bool is_seen) {
   if (rule_ == scene_file_params::alpha_from_colour_off) return false;
   if (rule_ == scene_file_params::alpha_from_colour_on) return has_transparency(picture);
   const AlphaShares shares = alpha_shares(picture);
   if (shares.holes == 0.0) return false;  // nothing would be cut
   const bool cuts = is_cut_out(shares);
-  (cuts ? cut_ : whole_).push_back(fmt::format("{} ({:.3g} %)", material, 100.0 * shares.holes));
+  if (!is_seen) return cuts;
+  if (shares.holes == 1.0) {
+    none_.push_back(material);
+  } else {
+    (cuts ? cut_ : whole_).push_back(fmt::format("{} ({:.3g} %)", material, 100.0 * shares.holes));
+  }
   return cuts;
 }
 
@@ -28,6 +33,12 @@ void AlphaDecision::say(const std::string& source) const {
         "{}: no holes taken from the alpha of map_Kd, which is smooth: {} of the picture would be cut; "
         "scene.alpha_from_colour=on cuts them",
         source, first_names(whole_));
+  }
+  if (!none_.empty()) {
+    log_warning(
+        "{}: no holes taken from the alpha of map_Kd, which is below one half all over: nothing would be left of {}; "
+        "scene.alpha_from_colour=on cuts them away",
+        source, first_names(none_));
   }
 }
 

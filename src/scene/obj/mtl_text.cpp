@@ -2,9 +2,11 @@
 #include "scene/obj/mtl_text.h"
 
 #include <algorithm>
+#include <map>
 
 #include "base/log.h"
 #include "base/lower_case.h"
+#include "scene/lost_pictures.h"
 #include "scene/obj/obj_text.h"
 
 namespace gnomon {
@@ -32,10 +34,33 @@ class MtlReader {
         read_statement(materials_.back(), key, s.rest);
       }
     }
+    say_unknown();
     return std::move(materials_);
   }
 
  private:
+  // Of the format and its extensions (PBR); what is not read changes no shadow.
+  static bool is_known(const std::string& key) {
+    constexpr std::string_view k_not_read[] = {"ka",      "ni",      "tf",        "illum",    "sharpness", "disp",     "decal",
+                                               "refl",    "aniso",   "anisor",    "pr",       "pm",        "ps",       "pc",
+                                               "pcr",     "map_ka",  "map_ks",    "map_ke",   "map_ns",    "map_ni",   "map_tf",
+                                               "map_pr",  "map_pm",  "map_ps",    "map_pc",   "map_refl",  "map_disp", "map_ao",
+                                               "map_rma", "map_orm", "map_aniso", "map_norm", "map_aat"};
+    return std::find(std::begin(k_not_read), std::end(k_not_read), key) != std::end(k_not_read);
+  }
+
+  // A keyword that is misspelt may be one that cuts holes.
+  void say_unknown() const {
+    if (unknown_.empty()) return;
+    std::vector<std::string> names;
+    size_t first_line = unknown_.begin()->second;
+    for (const auto& [name, line] : unknown_) {
+      names.push_back(fmt::format("{} (line {})", name, line));
+      first_line = std::min(first_line, line);
+    }
+    log_warning("{}:{}: keywords that MTL does not have are ignored: {}", file_, first_line, first_names(names));
+  }
+
   void read_statement(MtlMaterial& m, const std::string& key, std::string_view rest) {
     if (key == "kd") return read_colour(m.diffuse, rest);
     if (key == "ks") return read_colour(m.specular, rest);
@@ -44,9 +69,11 @@ class MtlReader {
     if (key == "d") return read_dissolve(m, rest);
     if (key == "tr") return read_transparency(m, rest);
     if (key == "map_kd") return read_picture(m.colour, rest);
-    if (key == "map_d") return read_picture(m.alpha, rest);
+    if (key == "map_d" || key == "map_opacity") return read_picture(m.alpha, rest);
+    if (key == "map_tr") return read_picture(m.alpha, rest), void(m.alpha.inverted = true);
     if (key == "norm") return read_picture(m.normal, rest);
     if (key == "bump" || key == "map_bump") return read_picture(m.bump, rest);
+    if (!is_known(key)) unknown_.try_emplace(keyword_, line_);
   }
 
   // --- numbers ---
@@ -84,6 +111,11 @@ class MtlReader {
     }
     say_commas();
     const vec3 rgb = is_xyz ? rgb_of_xyz(*values) : *values;
+    constexpr float k_most = 1.01f;  // white in CIE XYZ is not quite 1
+    if (&colour == &materials_.back().diffuse && std::max({rgb.x, rgb.y, rgb.z}) > k_most) {
+      log_warning("{}:{}: {} {}: more light than falls on it; valid: 0 to 1; it is used as it stands", file_, line_, keyword_,
+                  rest);
+    }
     colour = glm::clamp(rgb, vec3(0.0f), vec3(1e6f));
   }
 
@@ -113,6 +145,9 @@ class MtlReader {
     }
     say_commas();
     target = std::clamp(*value, low, high);
+    if (&target != &materials_.back().shininess && target != *value)  // of Ns only a highlight is another
+      log_warning("{}:{}: {}: is {:g}; valid: {:g} to {:g}; {:g} is used instead", file_, line_, keyword_, *value, low, high,
+                  target);
   }
 
   // -halo: solid at the silhouette, `d` where the surface faces the eye. A shadow has one opacity.
@@ -189,6 +224,7 @@ class MtlReader {
   bool commas_ = false;     // in what was read of the statement
   size_t dissolve_of_ = 0;  // count of materials when the last `d` was read
   std::vector<MtlMaterial> materials_;
+  std::map<std::string, size_t> unknown_;  // keyword -> line of the first
 };
 
 }  // namespace

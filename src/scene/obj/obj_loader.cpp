@@ -10,6 +10,7 @@
 #include "base/log.h"
 #include "scene/finish_file_scene.h"
 #include "scene/load.h"
+#include "scene/material_variants.h"
 #include "scene/obj/obj_materials.h"
 #include "scene/obj/obj_mesh.h"
 #include "scene/obj/obj_polygon.h"
@@ -38,8 +39,8 @@ class ObjLoader {
     Scene scene;
     scene.source = source_;
     scene.name = std::filesystem::path(source_).filename().string();
-    if (material_names_.empty()) material_names_.emplace_back();
-    add_obj_materials(scene, file_, libraries_, material_names_);
+    if (materials_.empty()) materials_.emplace_back();
+    add_obj_materials(scene, file_, libraries_, materials_);
     build(scene);
     return scene;
   }
@@ -65,7 +66,10 @@ class ObjLoader {
       if (word.empty() && i >= required) break;
       if (word.empty()) fail_at(statement.line, "{} has {} numbers; valid: at least {}", statement.keyword, i, required);
       const auto value = parse_number(word);
-      if (!value) fail_at(statement.line, "\"{}\" is not a coordinate; valid: a finite number that fits 32 bits", word);
+      if (!value) {
+        fail_at(statement.line, "\"{}\" is not a coordinate; valid: a finite number that fits 32 bits{}", word,
+                word.find(',') == word.npos ? "" : ", with a decimal point, not a comma");
+      }
       values[i] = *value;
     }
     return values;
@@ -147,8 +151,8 @@ class ObjLoader {
   }
 
   int material_index(const std::string& name) {
-    const auto [entry, is_new] = material_of_name_.try_emplace(name, static_cast<int>(material_names_.size()));
-    if (is_new) material_names_.push_back(name);
+    const auto [entry, is_new] = material_of_name_.try_emplace(name, static_cast<int>(materials_.size()));
+    if (is_new) materials_.push_back({name});
     return entry->second;
   }
 
@@ -198,11 +202,12 @@ class ObjLoader {
   void add_face(const ObjStatement& statement) {
     polygon_.clear(), polygon_positions_.clear(), triangles_.clear();
     lost_ = {};
-    bool has_normals = true;
+    bool has_normals = true, has_uvs = true;
     std::string_view rest = statement.rest;
     for (std::string_view word; !(word = next_word(rest)).empty();) {
       polygon_.push_back(corner(word, statement.line));
       polygon_positions_.push_back(vertices_.positions[static_cast<size_t>(polygon_.back().position)]);
+      has_uvs = has_uvs && polygon_.back().uv != k_absent;
       has_normals = has_normals && polygon_.back().normal != k_absent &&
                     vertices_.normals[static_cast<size_t>(polygon_.back().normal)] != vec3(0.0f);
     }
@@ -212,28 +217,31 @@ class ObjLoader {
     if (!triangulate(polygon_positions_, triangles_)) {
       fail_at(statement.line, "a concave polygon of {} corners; valid: at most {}", polygon_.size(), k_max_concave_corners);
     }
-    std::vector<ObjCorner>& corners = current_faces(has_normals).corners;
+    std::vector<ObjCorner>& corners = current_faces(has_normals, has_uvs).corners;
     for (const auto& triangle : triangles_) {
       for (const uint32_t i : triangle) {
         corners.push_back(polygon_[i]);
         if (!has_normals) corners.back().normal = k_absent;
-        if (lost_.uv) corners.back().uv = k_absent;  // of all corners: a picture between some of them would be smeared
+        if (!has_uvs) corners.back().uv = k_absent;  // of all corners: a picture between some of them would be smeared
       }
     }
   }
 
   // Of the current group and material; the last answer is kept, since it is asked for every face.
-  ObjFaces& current_faces(bool has_normals) {
-    if (faces_ && faces_->has_normals == has_normals) return *faces_;
+  ObjFaces& current_faces(bool has_normals, bool has_uvs) {
+    if (faces_ && faces_->has_normals == has_normals && faces_->has_uvs == has_uvs) return *faces_;
     const std::string separator = object_name_.empty() || group_name_.empty() ? "" : "/";
     const std::string name = object_name_ + separator + group_name_;
     const auto [entry, is_new] = group_of_name_.try_emplace(name, groups_.size());
     if (is_new) groups_.push_back({name, {}});
     if (material_ == k_none_yet) material_ = material_index(material_name_);
     auto& all = groups_[entry->second].faces;
-    auto found = std::find_if(all.begin(), all.end(),
-                              [&](const ObjFaces& f) { return f.material == material_ && f.has_normals == has_normals; });
-    if (found == all.end()) found = all.insert(all.end(), ObjFaces{material_, has_normals, {}});
+    auto found = std::find_if(all.begin(), all.end(), [&](const ObjFaces& f) {
+      return f.material == material_ && f.has_normals == has_normals && f.has_uvs == has_uvs;
+    });
+    if (found == all.end()) found = all.insert(all.end(), ObjFaces{material_, has_normals, has_uvs, {}});
+    bool& any_has_uvs = materials_[static_cast<size_t>(material_)].has_uvs;
+    any_has_uvs = any_has_uvs || has_uvs;
     faces_ = &*found;
     return *faces_;
   }
@@ -242,16 +250,21 @@ class ObjLoader {
 
   void build(Scene& scene) {
     std::vector<std::pair<const ObjFaces*, MeshPart*>> work;
-    for (const Group& group : groups_) {
+    MaterialVariants variants(scene);
+    for (Group& group : groups_) {
       Mesh mesh;
       mesh.name = group.name.empty() ? scene.name : group.name;
       mesh.parts.resize(group.faces.size());
+      for (ObjFaces& faces : group.faces) {
+        if (!faces.has_uvs) faces.material = variants.without_uvs(faces.material, mesh.name);
+      }
       Object object;
       object.name = mesh.name;
       object.mesh = static_cast<int>(scene.meshes.size());
       scene.objects.push_back(object);
       scene.meshes.push_back(std::move(mesh));
     }
+    variants.say(source_);
     for (size_t g = 0; g < groups_.size(); ++g) {
       for (size_t i = 0; i < groups_[g].faces.size(); ++i) work.emplace_back(&groups_[g].faces[i], &scene.meshes[g].parts[i]);
     }
@@ -278,7 +291,8 @@ class ObjLoader {
   std::vector<Group> groups_;
   std::unordered_map<std::string, size_t> group_of_name_;
   std::unordered_map<std::string, int> material_of_name_;
-  std::vector<std::string> material_names_, libraries_;
+  std::vector<ObjMaterialUse> materials_;
+  std::vector<std::string> libraries_;
   ObjRemarks remarks_;
 
   struct {

@@ -28,7 +28,7 @@ class MaterialMaker {
   MaterialMaker(Scene& scene, const ObjPictures& pictures, AlphaDecision& alpha)
       : scene_(scene), pictures_(pictures), alpha_(alpha) {}
 
-  Material make(const ObjLibraries::Entry& entry) {
+  Material make(const ObjLibraries::Entry& entry, bool has_uvs) {
     const MtlMaterial& mtl = entry.material;
     Material material;
     material.name = mtl.name;
@@ -36,7 +36,7 @@ class MaterialMaker {
     material.specular = mtl.specular;
     material.shininess = mtl.shininess;
     material.emissive = mtl.emission;
-    set_base_colour(material, entry);
+    set_base_colour(material, entry, has_uvs);
     set_normal_map(material, entry);
     return material;
   }
@@ -44,7 +44,7 @@ class MaterialMaker {
  private:
   using Picture = ObjPictures::Picture;
 
-  void set_base_colour(Material& material, const ObjLibraries::Entry& entry) {
+  void set_base_colour(Material& material, const ObjLibraries::Entry& entry, bool has_uvs) {
     const MtlMaterial& mtl = entry.material;
     const Picture* picture = pictures_.find(mtl.colour.name, entry.folder);
     const Picture* mask = pictures_.find(mtl.alpha.name, entry.folder);
@@ -54,19 +54,16 @@ class MaterialMaker {
       material.base_colour = vec4(vec3(1.0f), material.base_colour.w);
     }
     const MtlPicture& option = picture ? mtl.colour : mtl.alpha;
-    const std::string key =
-        fmt::format("{}|{}|{}", picture ? picture->path.string() : "", mask ? mask->path.string() : "", option.clamp);
+    const std::string key = fmt::format("{}|{}|{}|{}", picture ? picture->path.string() : "", mask ? mask->path.string() : "",
+                                        mtl.alpha.inverted, option.clamp);
     material.base_colour_texture = texture(key, option, true, [&] {
       Image8 image = picture ? picture->image : white(mask->image);
-      if (mask) set_alpha(image, mask->image);
+      if (mask) set_alpha(image, mask->image, mtl.alpha.inverted);
       return image;
     });
     material.base_colour_uv = uv_transform(option);
     // A map_d that is not there would have been the answer: the picture's own alpha is a guess then as it is without map_d.
-    if (mask || alpha_.cuts(picture->image, material.name)) {
-      material.masked = true;
-      material.base_colour.w = 1.0f;  // `d` of a masked material is often 0: the picture alone says where there is something
-    }
+    material.masked = mask || alpha_.cuts(picture->image, material.name, has_uvs);
   }
 
   // A grey picture under a bump statement is a height map; a coloured one is a normal map in the wrong statement.
@@ -106,21 +103,21 @@ class MaterialMaker {
 };
 
 void name_pictures(ObjPictures& pictures, const ObjLibraries::Entry& entry) {
-  pictures.add(entry.material.colour.name, entry.folder, PictureUse::colour);
-  pictures.add(entry.material.alpha.name, entry.folder, PictureUse::colour);
-  pictures.add(entry.material.normal.name, entry.folder, PictureUse::normals);
-  pictures.add(entry.material.bump.name, entry.folder, PictureUse::normals);
+  pictures.add(entry.material.colour.name, entry.folder, PictureUse::colour, entry.material.name);
+  pictures.add(entry.material.alpha.name, entry.folder, PictureUse::colour, entry.material.name);
+  pictures.add(entry.material.normal.name, entry.folder, PictureUse::normals, entry.material.name);
+  pictures.add(entry.material.bump.name, entry.folder, PictureUse::normals, entry.material.name);
 }
 
 }  // namespace
 
 void add_obj_materials(Scene& scene, const ObjSource& source, const std::vector<std::string>& libraries,
-                       const std::vector<std::string>& names) {
+                       const std::vector<ObjMaterialUse>& uses) {
   FileFinder finder(source.name);
   const ObjLibraries library(source.name, source.folder, libraries, finder);
   ObjPictures pictures(source.name, source.folder, finder);
   std::vector<std::string> missing, solid;
-  for (const std::string& name : names) {
+  for (const auto& [name, has_uvs] : uses) {
     if (const auto* entry = library.find(name)) {
       name_pictures(pictures, *entry);
     } else if (!name.empty()) {
@@ -135,9 +132,9 @@ void add_obj_materials(Scene& scene, const ObjSource& source, const std::vector<
   pictures.load();
   AlphaDecision alpha(source.options);
   MaterialMaker maker(scene, pictures, alpha);
-  for (const std::string& name : names) {
+  for (const auto& [name, has_uvs] : uses) {
     const auto* entry = name.empty() ? nullptr : library.find(name);
-    Material material = entry ? maker.make(*entry) : Material{};
+    Material material = entry ? maker.make(*entry, has_uvs) : Material{};
     material.name = name.empty() ? "default" : name;
     material.double_sided = true;  // the format knows no culling, and files wind their faces as they like
     material.blended = material.base_colour.w < 1.0f;

@@ -22,10 +22,11 @@ struct ObjVertices {
   std::vector<vec4> colours;  // empty, or up to the last vertex that has one
 };
 
-// Triangles of one group and material, three corners each. Faces without normals are kept apart: theirs are made.
+// Triangles of one group and material, three corners each. Faces without normals are kept apart: theirs are made; and faces
+// without texture coordinates: they have no picture.
 struct ObjFaces {
   int material = 0;
-  bool has_normals = false;
+  bool has_normals = false, has_uvs = false;
   std::vector<ObjCorner> corners;
 };
 

@@ -13,13 +13,18 @@ namespace gnomon {
 
 namespace fs = std::filesystem;
 
-void ObjPictures::add(const std::string& name, const fs::path& library_folder, PictureUse use) {
+void ObjPictures::add(const std::string& name, const fs::path& library_folder, PictureUse use, const std::string& material) {
   if (name.empty()) return;
   const auto [named, is_new] = named_.try_emplace({name, library_folder}, nullptr);
   if (is_new) {
     const std::array folders = {library_folder, folder_};
-    if (const auto path = finder_.find(name, folders)) named->second = &(pictures_[*path]);
+    auto path = finder_.find(name, folders);
+    // In a name # is a letter; where no file has that name, it begins a comment.
+    if (const size_t comment = name.find(" #"); !path && comment != name.npos)
+      path = finder_.find(name.substr(0, comment), folders);
+    if (path) named->second = &(pictures_[*path]);
   }
+  if (named->second) named->second->materials.push_back(material);
   // Of two uses the colour's says what is lost.
   PictureUse& worst = named->second ? named->second->use : missing_.try_emplace(name, use).first->second;
   if (use == PictureUse::colour) worst = use;
@@ -52,7 +57,9 @@ void ObjPictures::load() {
     }
   });
   for (const Picture* picture : work) {
-    if (!picture->problem.empty()) log_warning("{}; {}", picture->problem, consequence_without(picture->use));
+    if (picture->problem.empty()) continue;
+    log_warning("{}: a picture of {}: {}; {}", source_, first_names(picture->materials), picture->problem,
+                consequence_without(picture->use));
   }
 }
 

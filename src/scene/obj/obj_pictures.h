@@ -18,8 +18,8 @@ class ObjPictures {
   ObjPictures(std::string source, std::filesystem::path folder, FileFinder& finder)
       : source_(std::move(source)), folder_(std::move(folder)), finder_(finder) {}
 
-  // To be read by load(). An empty name is none.
-  void add(const std::string& name, const std::filesystem::path& library_folder, PictureUse use);
+  // To be read by load(). An empty name is none. `material`: who names it.
+  void add(const std::string& name, const std::filesystem::path& library_folder, PictureUse use, const std::string& material);
   // Each once, and on all cores. What is missing or damaged is a warning, and is not there.
   void load();
 
@@ -29,6 +29,7 @@ class ObjPictures {
     Image8 image;
     PictureUse use = PictureUse::normals;
     std::string problem;
+    std::vector<std::string> materials;  // that name it
   };
   // nullptr where there is none that could be read.
   const Picture* find(const std::string& name, const std::filesystem::path& library_folder) const;

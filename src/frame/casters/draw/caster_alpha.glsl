@@ -15,12 +15,12 @@ struct AlphaLookup {
 AlphaLookup alpha_lookup(MaterialData material, vec2 uv, out vec2 position) {
   AlphaLookup lookup = AlphaLookup(vec4(1.0, 1.0, material.base_colour.a, material.caster_cutoff), k_no_texture_index);
   position = vec2(0.0);
-  if (material.caster_cutoff >= 0.0 && material.base_texture != k_no_texture_index) {
-    ivec2 size = textureSize(material_textures[nonuniformEXT(material.base_texture)], 0);
+  if (material.caster_cutoff >= 0.0 && material.caster_texture != k_no_texture_index) {
+    ivec2 size = textureSize(material_textures[nonuniformEXT(material.caster_texture)], 0);
     position = texel_position(transform_uv(material.base_uv_u, material.base_uv_v, uv), size);
     lookup.scale.xy = 1.0 / vec2(size);
-    lookup.texture =
-        texture_lookup(material.base_texture, material_sampler(k_material_nearest, material.base_wrap_u, material.base_wrap_v));
+    uint nearest = material_sampler(k_material_nearest, material.base_wrap_u, material.base_wrap_v);
+    lookup.texture = texture_lookup(material.caster_texture, nearest);
   }
   return lookup;
 }
