@@ -43,7 +43,8 @@ class GltfHierarchy {
   std::vector<mat4> world_from_nodes() const;
   // Those of the chosen scene that are visible (KHR_node_visibility), parents before their children.
   std::vector<int> shown_nodes(const std::string& scene) const;
-  // By mesh of the file: whether one of the nodes has it.
+  // By mesh of the file: whether one of the nodes has it. In a file without any node all do: what is wrong with them is then
+  // the better answer than that there is nothing to draw.
   std::vector<bool> meshes_of(const std::vector<int>& nodes) const;
 
  private:
