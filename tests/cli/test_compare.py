@@ -90,7 +90,7 @@ class Compare(Case):
         self.assertRegex(line["scene"]["hash"], "^[0-9a-f]{16}$")
         self.assertEqual((line["size"], line["samples"]), ([96, 64], 1))
         for kind, error in line["visibility"].items():
-            self.assertIn(kind, ["hard", "area"])
+            self.assertIn(kind, ["hard", "area", "pixel"])
             for path in ERROR_KEYS:
                 self.assertIsInstance(at(error, path), (int, float), path)
             self.assertLessEqual(error["mae"], error["rmse"] + 1e-9)

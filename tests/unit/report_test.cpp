@@ -125,11 +125,26 @@ class Report : public testing::Test {
 };
 
 TEST(TextTable, AlignsItsColumns) {
-  const std::vector<json> results = {measured("single/pcf", 0.01, 0.6), measured("cascaded/vsm", 0.12345, 12.5)};
+  // The least error comes first.
+  const std::vector<json> results = {measured("cascaded/vsm", 0.12345, 12.5), measured("single/pcf", 0.01, 0.6)};
   EXPECT_EQ(text_table(results),
-            "technique        mae  false shadow %  false light %  build ms  resolve ms  total ms   MiB\n"
-            "single/pcf    0.0100            0.40          10.00     0.450       0.150     0.600  16.0\n"
-            "cascaded/vsm  0.1235            0.40          10.00     9.375       3.125    12.500  16.0\n");
+            "technique     hard mae  false shadow %  false light %  build ms  resolve ms  total ms   MiB\n"
+            "single/pcf      0.0100            0.40          10.00     0.450       0.150     0.600  16.0\n"
+            "cascaded/vsm    0.1235            0.40          10.00     9.375       3.125    12.500  16.0\n");
+}
+
+// Another truth, another winner: figures and order go by the one that is asked for, or else by the first that there is.
+TEST(TextTable, GoesByTheTruthThatIsAskedFor) {
+  std::vector<json> results = {measured("single/hard", 0.01, 0.6), measured("single/pcf", 0.02, 0.6)};
+  results[0]["visibility"]["pixel"] = {{"mae", 0.04}, {"false_shadow", {{"area", 0.31}, {"severity", 0.1}}}};
+  results[1]["visibility"]["pixel"] = {{"mae", 0.03}, {"false_shadow", {{"area", 0.21}, {"severity", 0.1}}}};
+  const auto by_pixel = lines_of(text_table(results));
+  EXPECT_TRUE(has(by_pixel[0], " pixel mae  false shadow %  false light %  hard mae "));
+  EXPECT_TRUE(has(by_pixel[1], "single/pcf", "0.0300", "21.00", "0.0200"));
+  const auto by_hard = lines_of(text_table(results, "hard"));
+  EXPECT_TRUE(has(by_hard[0], " hard mae  false shadow %  false light %  pixel mae "));
+  EXPECT_TRUE(has(by_hard[1], "single/hard", "0.0100", "0.40", "0.0400"));
+  EXPECT_EQ(text_table(results, "area"), text_table(results)) << "no light here has a size";
 }
 
 TEST(TextTable, ShowsAnAreaColumnWhereThereIsOne) {
@@ -137,7 +152,7 @@ TEST(TextTable, ShowsAnAreaColumnWhereThereIsOne) {
   results[1]["visibility"]["area"] = {{"mae", 0.0042}};
   const auto lines = lines_of(text_table(results));
   EXPECT_TRUE(has(lines[0], "area mae"));
-  EXPECT_TRUE(has(lines[2], "0.0042"));
+  EXPECT_TRUE(has(text_table(results), "0.0042"));
 }
 
 TEST(TextTable, DashesForWhatWasNotMeasuredAndReasonsForWhatCannotRun) {
@@ -393,6 +408,14 @@ TEST_F(Report, EveryCsvColumnHoldsTheValueOfItsName) {
       {"area_false_light_area", "/visibility/area/false_light/area", 0.0206},
       {"area_false_light_severity", "/visibility/area/false_light/severity", 0.0207},
       {"area_receivers", "/visibility/area/receivers", 1009},
+      {"pixel_mae", "/visibility/pixel/mae", 0.0211},
+      {"pixel_rmse", "/visibility/pixel/rmse", 0.0212},
+      {"pixel_bias", "/visibility/pixel/bias", -0.0213},
+      {"pixel_false_shadow_area", "/visibility/pixel/false_shadow/area", 0.0214},
+      {"pixel_false_shadow_severity", "/visibility/pixel/false_shadow/severity", 0.0215},
+      {"pixel_false_light_area", "/visibility/pixel/false_light/area", 0.0216},
+      {"pixel_false_light_severity", "/visibility/pixel/false_light/severity", 0.0217},
+      {"pixel_receivers", "/visibility/pixel/receivers", 1010},
       {"image_rmse", "/image/rmse", 0.0301},
       {"image_psnr", "/image/psnr", 30.25},
       {"build_ms", "/gpu_ms/build", 1.5},
@@ -409,6 +432,11 @@ TEST_F(Report, EveryCsvColumnHoldsTheValueOfItsName) {
       {"area_reference", "/reference/area/kind", "pipeline"},
       {"area_reference_samples", "/reference/area/samples", 256},
       {"area_reference_confidence", "/reference/area/confidence", 0.0402},
+      {"pixel_reference", "/reference/pixel/kind", "a tracer"},
+      {"pixel_reference_samples", "/reference/pixel/samples", 25},
+      {"pixel_reference_rays", "/reference/pixel/rays", 5},
+      {"pixel_reference_confidence", "/reference/pixel/confidence", 0.0403},
+      {"pixel_uncovered", "/reference/pixel/uncovered", 0.0404},
       {"command", "/command", "gnomon compare"},
   };
   json line = {{"size", {0, 0}}};
