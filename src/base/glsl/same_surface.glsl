@@ -1,5 +1,5 @@
-// Which points within a pixel lie on one surface: they may share an answer, and what the pixel should show of that surface is the mean
-// over them. One text for the surface pass and the truth of pixels.
+// Which points within a pixel lie on one surface: they may share an answer, and what the pixel should show of that surface is
+// the mean over them. One text for the surface pass and the truth of pixels.
 #ifndef GNOMON_SAME_SURFACE_GLSL
 #define GNOMON_SAME_SURFACE_GLSL
 #include "base/glsl/shared.glsl"

@@ -37,6 +37,8 @@ void write_picture(Session& session, Picture picture, Truth against, const std::
     exr ? write_exr(output, frame.read_linear()) : write_png(output, frame.read_display());
     return;
   }
+  // Of a mask the reference only says which samples receive light.
+  if (picture == Picture::mask) against = Truth::hard;
   const ReferenceSet references = make_references(session, against);
   const LightReference& reference = references.lights.front();
   const ReferenceResult& truth = reference.find(against) ? *reference.find(against) : reference.hard;
