@@ -56,8 +56,8 @@ inline_function vec2 concentric_disc(vec2 square) {
 //   (measured: 10 for the inverse projection, the rest for the transforms); 2^-19 has a margin of two;
 // - the rasteriser moves vertices to a grid of 1/256 pixel, which tilts the depth of a surface seen at a grazing angle: up to
 //   1/512 pixel sideways, 3.8e-6 of the eye's distance at 600 lines and 60 degrees; 2^-17 = 7.6e-6 covers 300 lines;
-// - the distance of the ray's start from the plane of a triangle that is `extents.x` metres large (scene/ray_extents.h), computed in
-//   floats by the tracer: 2^-23 of it (measured: 2^-24 suffices).
+// - the distance of the ray's start from the plane of a triangle that is `extents.x` metres large (scene/ray_extents.h),
+//   computed in floats by the tracer: 2^-23 of it (measured: 2^-24 suffices).
 // Coordinates near 0 may be differences of larger ones: at least `extents.y` counts, a metre or all of a smaller scene.
 // At 10 m, in a scene of metre-sized triangles, that is 0.1 mm: a two-hundredth of a pixel.
 inline_function vec3 ray_origin(vec3 position_ws, vec3 normal_ws, float eye_distance, vec2 extents) {
