@@ -8,7 +8,7 @@
 #include "frame/glsl/octahedral.glsl"
 #include "frame/texture_upload.h"
 #include "frame/upload_vector.h"
-#include "scene/plane_extent.h"
+#include "scene/ray_extents.h"
 #include "scene/subject.h"
 
 namespace gnomon {
@@ -34,7 +34,7 @@ VertexAttributes pack_vertex(const MeshPart& part, size_t i) {
 
 GpuScene::GpuScene(Device& device, const Scene& scene) : device_(device), scene_(scene) {
   bounds_ = shadowed_bounds(scene);
-  plane_extent_ = gnomon::plane_extent(scene);
+  ray_extents_ = gnomon::ray_extents(scene);
   upload_textures();
   upload_materials();
   upload_geometry();

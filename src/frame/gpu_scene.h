@@ -39,7 +39,7 @@ class GpuScene {
   size_t caster_triangles() const { return caster_triangles_; }
   const Box& caster_bounds() const { return caster_bounds_; }
   const Box& bounds() const { return bounds_; }
-  float plane_extent() const { return plane_extent_; }  // for ray_origin (base/glsl/sampling.glsl)
+  vec2 ray_extents() const { return ray_extents_; }  // for ray_origin (base/glsl/sampling.glsl)
 
  private:
   void upload_geometry();
@@ -55,7 +55,7 @@ class GpuScene {
   CasterList caster_items_, caster_clusters_;
   size_t vertex_count_ = 0, caster_triangles_ = 0;
   Box bounds_, caster_bounds_;
-  float plane_extent_ = 0.0f;
+  vec2 ray_extents_ = vec2(0.0f);
 };
 
 }  // namespace gnomon

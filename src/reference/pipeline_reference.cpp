@@ -31,7 +31,7 @@ ReferenceResult PipelineReference::trace(const Frame& frame, const Light& light,
   struct Arguments {
     uint64_t frame, scene, points, answers, light;
     uint32_t first, count, samples, seed;
-    float plane_extent;
+    vec2 extents;
   };
   const size_t rays = light_on_gpu.emitter_radius > 0.0f ? static_cast<size_t>(samples) : 1;
   const size_t piece = std::max<size_t>(k_rays_per_submission / rays, 64);
@@ -44,7 +44,7 @@ ReferenceResult PipelineReference::trace(const Frame& frame, const Light& light,
     recorder.pass("reference", PassStage::other, {{points, Use::ray_read}, {answers, Use::ray_write}}, [&](Commands& commands) {
       commands.push(Arguments{frame.data_address(), structure_.address(), points.address(), answers.address(), shape.address(),
                               static_cast<uint32_t>(first), static_cast<uint32_t>(count), static_cast<uint32_t>(samples), seed,
-                              frame.scene().plane_extent()});
+                              frame.scene().ray_extents()});
       commands.trace(pipeline_, {static_cast<uint32_t>(width), 1});
     });
     recorder.finish();

@@ -15,8 +15,8 @@ namespace {
 
 // A face's normal has the square of its size as its length, and its length is a square again: the fourth power has to fit.
 constexpr float k_largest_m = 4e9f;
-// Rays start at least 1.9e-6 m off their surface (base/glsl/sampling.glsl), beyond all that is smaller.
-constexpr float k_smallest_m = 1e-5f;
+// The square of a face's normal has to fit as well: of a triangle of a thousandth of the scene.
+constexpr float k_smallest_m = 1e-6f;
 
 const Mesh& mesh_of(const Scene& scene, const Object& object) { return scene.meshes[static_cast<size_t>(object.mesh)]; }
 

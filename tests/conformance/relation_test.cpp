@@ -203,5 +203,38 @@ TEST(Relation, ErrorsDoNotDependOnTheScenesSize) {
   }
 }
 
+// Small scenes too, in which an absolute length is all there is: the masks themselves, by rays and maps, under each kind of light.
+TEST(Relation, MasksDoNotDependOnTheScenesSize) {
+  for (const LightKind kind : {LightKind::directional, LightKind::spot, LightKind::point}) {
+    const auto view_of = [&](float factor) -> View& {
+      return test::kept_view(fmt::format("{} times {}", light_kind_name(kind), factor),
+                             [=] { return scaled(test::box_on_floor(kind), factor); }, {96, 72});
+    };
+    View& metres = view_of(1.0f);
+    const ReferenceResult& truth = test::hard_reference(metres);
+    const size_t receivers = test::count(truth.receiver);
+    for (const float factor : {2e-7f, 1e-3f, 1e3f}) {
+      View& view = view_of(factor);
+      const ReferenceResult& found = test::hard_reference(view);
+      size_t different = 0;
+      for (size_t i = 0; i < truth.visibility.size(); ++i)
+        different += truth.receiver[i] != found.receiver[i] || truth.visibility[i] != found.visibility[i];
+      EXPECT_LE(different, receivers / 500) << "the reference, times " << factor;
+      for (const TechniqueSpec& spec : all_techniques()) {
+        // Filters whose parameters are metres (esm.c, min_variance) are scenes' own.
+        const bool by_texels = spec.name.find('/') == std::string::npos || spec.name.ends_with("/hard") || spec.name.ends_with("/pcf");
+        if (!by_texels || !spec.supports(kind)) continue;
+        const auto a = test::run_technique(metres, spec, spec.default_settings()).mask,
+                   b = test::run_technique(view, spec, spec.default_settings()).mask;
+        double difference = 0.0;
+        for (size_t i = 0; i < a.size(); ++i) {
+          if (truth.receiver[i]) difference += std::abs(double(a[i]) - double(b[i]));
+        }
+        EXPECT_LT(difference / static_cast<double>(receivers), 0.002) << spec.name << " under " << light_kind_name(kind) << ", times " << factor;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -46,8 +46,8 @@ TEST(Drawable, TooSmallTooLargeAndFlatAreRefusedWithTheReason) {
   const auto expect = [](const Scene& scene, std::initializer_list<const char*> parts) {
     for (const char* part : parts) EXPECT_NE(refusal(scene).find(part), std::string::npos) << refusal(scene);
   };
-  expect(table(1e-40f), {"hand-made: nothing to draw", "across", "1e-05"});
-  expect(table(2e-7f), {"nothing to draw", "2e-06 m across", "1e-05"});
+  expect(table(1e-40f), {"hand-made: nothing to draw", "across", "1e-06"});
+  expect(table(2e-8f), {"nothing to draw", "2e-07 m across", "1e-06"});
   expect(table(1e20f), {"'floor'", "5e+20", "4e+09"});
   expect(table(1.0f, glm::scale(mat4(1.0f), vec3(1e12f))), {"'floor'", "placed at", "4e+09"});
   expect(table(1e12f, glm::scale(mat4(1.0f), vec3(1e-12f))), {"'floor'", "4e+09"});

@@ -105,10 +105,10 @@ TEST(Sampling, DiscMapTakesCentreToCentreAndBorderToBorder) {
 TEST(Sampling, RayOriginsAreNearAndOnTheRightSide) {
   for (const float distance : {0.1f, 1.0f, 10.0f, 100.0f}) {
     const vec3 normal = glm::normalize(vec3(1, 2, 3)), position = 0.2f * distance * vec3(1, -1, 1);
-    const float offset = glm::dot(ray_origin(position, normal, distance) - position, normal);
+    const float offset = glm::dot(ray_origin(position, normal, distance, vec2(0, 1)) - position, normal);
     EXPECT_GT(offset, 0.5e-5f * distance);
     EXPECT_LT(offset, 1.0e-5f * std::max(distance, 1.0f)) << "0.1 mm at 10 m";
-    EXPECT_GT(glm::dot(ray_origin(position, normal, distance, 100.0f) - position, normal), offset);
+    EXPECT_GT(glm::dot(ray_origin(position, normal, distance, vec2(100, 1)) - position, normal), offset);
   }
 }
 

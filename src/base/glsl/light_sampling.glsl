@@ -2,7 +2,7 @@
 // count. One text for the ray-tracing pipeline, ray-traced techniques and the CPU reference (after base/glsl/sampling.glsl).
 //
 //   if (!receives_light(light, position, normal)) visibility = 0, no receiver
-//   origin = ray_origin(position, normal, eye distance, plane extent)
+//   origin = ray_origin(position, normal, eye distance, extents)
 //   for each sample: ray = light_ray(light, origin, light_sample(index, pixel, seed));
 //                    skip it unless above_horizon(ray, normal)
 //   visibility = unoccluded / counted samples; the ray to the centre alone where none counted

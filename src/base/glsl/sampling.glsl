@@ -56,16 +56,14 @@ inline_function vec2 concentric_disc(vec2 square) {
 //   (measured: 10 for the inverse projection, the rest for the transforms); 2^-19 has a margin of two;
 // - the rasteriser moves vertices to a grid of 1/256 pixel, which tilts the depth of a surface seen at a grazing angle: up to
 //   1/512 pixel sideways, 3.8e-6 of the eye's distance at 600 lines and 60 degrees; 2^-17 = 7.6e-6 covers 300 lines;
-// - the distance of the ray's start from the plane of a triangle that is `plane_extent` metres large (scene/plane_extent.h),
+// - the distance of the ray's start from the plane of a triangle that is `extents.x` metres large (scene/ray_extents.h),
 //   computed in floats by the tracer: 2^-23 of it (measured: 2^-24 suffices).
+// Coordinates near 0 may be differences of larger ones: at least `extents.y` counts, a metre or all of a smaller scene.
 // At 10 m, in a scene of metre-sized triangles, that is 0.1 mm: a two-hundredth of a pixel.
-inline_function vec3 ray_origin(vec3 position_ws, vec3 normal_ws, float eye_distance, float plane_extent) {
-  float largest = max(max(abs(position_ws.x), abs(position_ws.y)), max(abs(position_ws.z), 1.0f));
-  float offset = largest * 1.9073486328125e-06f + eye_distance * 7.62939453125e-06f + plane_extent * 1.1920928955078125e-07f;
+inline_function vec3 ray_origin(vec3 position_ws, vec3 normal_ws, float eye_distance, vec2 extents) {
+  float largest = max(max(abs(position_ws.x), abs(position_ws.y)), max(abs(position_ws.z), extents.y));
+  float offset = largest * 1.9073486328125e-06f + eye_distance * 7.62939453125e-06f + extents.x * 1.1920928955078125e-07f;
   return position_ws + normal_ws * offset;
-}
-inline_function vec3 ray_origin(vec3 position_ws, vec3 normal_ws, float eye_distance) {
-  return ray_origin(position_ws, normal_ws, eye_distance, 0.0f);
 }
 
 #ifdef __cplusplus

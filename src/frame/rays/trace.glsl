@@ -14,10 +14,10 @@ bool unoccluded(uint64_t scene, vec3 origin, LightRay ray) {
 }
 
 // As EmbreeReference::trace: the fraction of the light's samples above the receiver's horizon that arrive.
-float trace_visibility(uint64_t scene, LightShape light, vec3 position, vec3 normal, float eye_distance, float plane_extent,
+float trace_visibility(uint64_t scene, LightShape light, vec3 position, vec3 normal, float eye_distance, vec2 extents,
                        uint pixel, uint samples, uint seed) {
   if (!receives_light(light, position, normal)) return 0.0;
-  vec3 origin = ray_origin(position, normal, eye_distance, plane_extent);
+  vec3 origin = ray_origin(position, normal, eye_distance, extents);
   uint counted = 0u, arrived = 0u;
   if (light.emitter_radius > 0.0) {
     for (uint i = 0u; i < samples; ++i) {

@@ -16,7 +16,7 @@
 #include "reference/cpu/acceleration.h"
 #include "reference/cpu/confidence.h"
 #include "scene/light_shape.h"
-#include "scene/plane_extent.h"
+#include "scene/ray_extents.h"
 
 namespace gnomon {
 namespace {
@@ -29,7 +29,7 @@ struct Job {
   std::span<const SurfacePoint> points;
   vec3 eye_ws;
   LightShape light;
-  float plane_extent;
+  vec2 extents;
   uint32_t samples, seed;
 };
 
@@ -68,7 +68,7 @@ class RayPacket {
 // The samples of one point that lie above its horizon; returns how many those are.
 uint32_t add_rays(const Job& job, size_t index, const SurfacePoint& point, RayPacket& packet) {
   const float eye_distance = glm::distance(point.position_ws, job.eye_ws);
-  const vec3 origin = ray_origin(point.position_ws, point.geometric_normal_ws, eye_distance, job.plane_extent);
+  const vec3 origin = ray_origin(point.position_ws, point.geometric_normal_ws, eye_distance, job.extents);
   uint32_t counted = 0;
   for (uint32_t i = 0; i < job.samples; ++i) {
     const LightRay ray = light_ray(job.light, origin, light_sample(i, point.pixel, job.seed));
@@ -115,9 +115,9 @@ void trace_block(const Job& job, RTCScene scene, size_t begin, size_t end, Refer
 }  // namespace
 
 struct EmbreeReference::Implementation {
-  explicit Implementation(const Scene& scene) : acceleration(scene), extent(plane_extent(scene)) {}
+  explicit Implementation(const Scene& scene) : acceleration(scene), extents(ray_extents(scene)) {}
   Acceleration acceleration;
-  float extent;
+  vec2 extents;
 };
 
 EmbreeReference::EmbreeReference(const Scene& scene) : implementation_(std::make_unique<Implementation>(scene)) {}
@@ -128,7 +128,7 @@ size_t EmbreeReference::triangle_count() const { return implementation_->acceler
 ReferenceResult EmbreeReference::trace(std::span<const SurfacePoint> points, const vec3& eye_ws, const Light& light, bool area,
                                        int samples, uint32_t seed) const {
   if (samples < 1) fail("the reference needs at least one sample, not {}", samples);
-  Job job{points, eye_ws, light_shape(light, area), implementation_->extent, static_cast<uint32_t>(samples), seed};
+  Job job{points, eye_ws, light_shape(light, area), implementation_->extents, static_cast<uint32_t>(samples), seed};
   if (job.light.emitter_radius == 0.0f) job.samples = 1;
 
   ReferenceResult result;

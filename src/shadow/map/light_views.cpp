@@ -38,10 +38,13 @@ ShadowView projective_view(const mat4& clip_from_world, const vec4& depth_plane,
   return view;
 }
 
+float some_extent(float extent, float others) { return std::max(extent, others > 0.0f ? 1e-3f * others : 1e-6f); }
+
 ShadowView orthographic_view(const LightFrame& light, const Box& fit, float near, float far, uint32_t size) {
   // A view that sees no caster keeps a small valid map; everything is then outside it and lit.
-  const float width = std::max(fit.max.x - fit.min.x, 1e-3f), height = std::max(fit.max.y - fit.min.y, 1e-3f);
-  const float depth = std::max(far - near, 1e-3f);
+  const vec2 across = vec2(fit.max) - vec2(fit.min);
+  const float largest = std::max({across.x, across.y, far - near});
+  const float width = some_extent(across.x, largest), height = some_extent(across.y, largest), depth = some_extent(far - near, largest);
   mat4 clip_from_light(0.0f);
   clip_from_light[0][0] = 2.0f / width;
   clip_from_light[1][1] = 2.0f / height;
@@ -73,7 +76,7 @@ std::pair<float, float> distance_range(const vec3& position, float light_range, 
   for (int i = 0; i < 8; ++i) far = std::max(far, glm::length(scene.corner(i) - position));
   if (light_range > 0.0f) far = std::min(far, light_range);
   const float outside = glm::length(glm::max(glm::max(casters.min - position, position - casters.max), vec3(0.0f)));
-  far = std::max(far * 1.001f, 1e-3f);
+  far = std::max(far * 1.001f, 1e-12f);
   // Inside the casters' box the first one may be anywhere: a thousandth of the reach keeps the depth of 32 bits exact to a
   // tenth of that.
   const float near = std::clamp(0.95f * outside / std::sqrt(3.0f), far * 1e-3f, 0.5f * far);
@@ -86,7 +89,8 @@ float light_start(const LightFrame& frame, const Light& light) {
 
 std::pair<float, float> depth_range(const Box& casters_in_light, const Box& receivers_in_light, float start) {
   const float far = receivers_in_light.max.z, near = std::min(std::max(casters_in_light.min.z, start), far);
-  const float margin = 1e-3f * std::max(far - near, 1e-3f);
+  const vec3 extent = receivers_in_light.extent();
+  const float margin = 1e-3f * some_extent(far - near, std::max(extent.x, extent.y));
   return {std::max(near - margin, start), far + margin};
 }
 

@@ -19,6 +19,9 @@ struct LightFrame {
 ShadowView projective_view(const mat4& clip_from_world, const vec4& depth_plane, float depth_near_m, float depth_range_m,
                            float texel_m, uint32_t size);
 
+// An extent that may be none, as a map needs one: at least a thousandth of the others (of a millimetre where all are none).
+float some_extent(float extent, float others);
+
 // Along a parallel light, of the box `fit` (x and y) between the depths near and far of the light's z.
 ShadowView orthographic_view(const LightFrame& light, const Box& fit, float near, float far, uint32_t size);
 

@@ -139,7 +139,7 @@ float trapezoidal_distance(const WarpFit& fit, float focus, float share) {
 ShadowView warped_view(const WarpFit& fit, float apex_distance, uint32_t size, float border) {
   // w = 1 + (y - y0) / n is 1 at the near side. (x - x0) / w and (y - y0) / w tend to x and y as n grows: no digits are lost.
   const double bend =
-      apex_distance >= k_no_warp ? 0.0 : 1.0 / std::max(double(apex_distance), 1e-4 * double(fit.bounds.extent().y) + 1e-9);
+      apex_distance >= k_no_warp ? 0.0 : 1.0 / std::max(double(apex_distance), 1e-4 * double(fit.bounds.extent().y) + 1e-30);
   const dvec2 origin = fit.body.empty() ? dvec2(0.0) : dvec2(fit.eye.x, fit.bounds.min.y);
   dvec2 low(1e30), high(-1e30);
   float far = fit.first_caster_z;
@@ -150,10 +150,13 @@ ShadowView warped_view(const WarpFit& fit, float apex_distance, uint32_t size, f
   }
   // A view that sees nothing keeps a small valid map.
   if (fit.body.empty()) low = dvec2(0.0), high = dvec2(0.0);
-  dvec2 extent = glm::max(high - low, dvec2(1e-3));
+  dvec2 extent = high - low;
+  const auto far_m = static_cast<float>(double(far) - double(fit.first_caster_z));
+  const float largest = std::max({static_cast<float>(extent.x), static_cast<float>(extent.y), far_m});
+  for (int axis = 0; axis < 2; ++axis) extent[axis] = double(some_extent(static_cast<float>(extent[axis]), largest));
   extent *= double(size) / std::max(double(size) - 2.0 * double(border), 0.5 * double(size));
   const dvec2 middle = 0.5 * (low + high);
-  const double margin = 1e-3 * std::max(double(far) - double(fit.first_caster_z), 1e-3);
+  const double margin = 1e-3 * double(some_extent(far_m, largest));
   const double near = std::max(double(fit.first_caster_z) - margin, double(fit.start_z)), depth = double(far) + margin - near;
 
   // Rows, applied to (x, y, z, 1) of the axes.

@@ -28,10 +28,10 @@ class RayTraced : public Technique {
     struct Arguments {
       uint64_t frame, scene, mask;
       uint32_t light;
-      float plane_extent;
+      vec2 extents;
     };
     const Arguments arguments = {frame.data_address(), scene_.address(), frame.mask_address(light),
-                                 static_cast<uint32_t>(light), frame.scene().plane_extent()};
+                                 static_cast<uint32_t>(light), frame.scene().ray_extents()};
     std::vector<ResourceUse> uses = frame.surface_uses(Use::ray_read);
     uses.emplace_back(frame.mask(), Use::ray_write);
     recorder.pass(GNOMON_ID_TEXT "/trace", PassStage::resolve, uses, [&](Commands& commands) {

@@ -241,7 +241,7 @@ class Cascaded : public Projection {
     if (params_.stabilise) {
       for (int axis = 0; axis < 2; ++axis) {
         // Sizes in steps of an eighth, so that a texel is the same over many frames.
-        const float extent = std::max(fit.max[axis] - fit.min[axis], 1e-3f);
+        const float extent = some_extent(fit.max[axis] - fit.min[axis], fit.max[1 - axis] - fit.min[1 - axis]);
         const float step = std::exp2(std::floor(std::log2(extent))) / 8.0f;
         const float rounded = (std::floor(extent / step) + 2.0f) * step, texel = rounded / static_cast<float>(params_.size);
         fit.min[axis] = std::floor(fit.min[axis] / texel) * texel;

@@ -151,8 +151,11 @@ void slice_box(float from, float to, out vec3 low, out vec3 high) {
 // As orthographic_view() does it, inverted in closed form.
 void write_view(uint layer, vec3 low, vec3 high, vec2 interval) {
   SampleDistributionInput data = fit.v;
-  vec2 extent = max(high.xy - low.xy, vec2(1e-3)), middle = 0.5 * (low.xy + high.xy);
-  float depth = max(high.z - low.z, 1e-3);
+  // As some_extent() has it: a map needs an extent along each axis.
+  vec3 whole = high - low;
+  float least = max(1e-3 * max(whole.x, max(whole.y, whole.z)), 1e-9);
+  vec2 extent = max(whole.xy, vec2(least)), middle = 0.5 * (low.xy + high.xy);
+  float depth = max(whole.z, least);
   ShadowView view;
   view.raster.clip_from_world = mat4(0.0);
   for (int i = 0; i < 3; ++i) {
@@ -212,7 +215,7 @@ void make_views() {
   low.xy -= grow, high.xy += grow;
   // Kernels read beyond the samples, where the same surfaces lie deeper.
   high.z = data.scene_max.z;
-  float margin = 1e-3 * max(high.z - low.z, 1e-3);
+  float margin = 1e-3 * max(high.z - low.z, 1e-3 * max(high.x - low.x, high.y - low.y));
   low.z = max(low.z - margin, data.start), high.z += margin;
   write_view(layer, low, high, interval);
 }

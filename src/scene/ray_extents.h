@@ -1,4 +1,4 @@
-// How far a tracer's triangles let it misjudge on which side of a triangle a ray starts: the last term of ray_origin().
+// What decides how far off its surface a ray must start: the extents of ray_origin() (base/glsl/sampling.glsl).
 #pragma once
 
 #include <algorithm>
@@ -40,6 +40,13 @@ inline float plane_extent(const Scene& scene) {
     }
   }
   return largest;
+}
+
+// {plane_extent, the least coordinate that counts}: a metre, or the largest coordinate of a scene that is smaller. In metres.
+inline vec2 ray_extents(const Scene& scene) {
+  const Box box = scene.bounds();
+  const vec3 largest = glm::max(glm::abs(box.min), glm::abs(box.max));
+  return {plane_extent(scene), std::min(std::max(largest.x, std::max(largest.y, largest.z)), 1.0f)};
 }
 
 }  // namespace gnomon
