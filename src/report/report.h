@@ -12,8 +12,9 @@ namespace gnomon {
 // All lines of DIR/results.jsonl. Throws Error with file and line number for what is not a result.
 std::vector<nlohmann::json> read_results(const std::filesystem::path& folder);
 
-// Errors are measured against up to three truths (docs/measuring.md): "pixel", "area", "hard", the first of which tables and charts go
-// by where it was measured. `against` names another one to go by; where a group lacks it, it goes by the first that it has.
+// Errors are measured against up to three truths (docs/measuring.md): "pixel", "area", "hard", the first of which tables and
+// charts go by where it was measured. `against` names another one to go by; where a group lacks it, it goes by the first that
+// it has.
 inline constexpr const char* k_truth_names[] = {"pixel", "area", "hard"};
 
 // Writes `output` (default: report.html in the first folder) from the results of all folders.

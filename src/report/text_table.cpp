@@ -23,8 +23,9 @@ struct Column {
 // The truth that a table goes by: all its groups must have it.
 std::string truth_of(std::span<const json> results, const std::string& wanted) {
   const auto measured = [&](const std::string& truth) {
-    return std::any_of(results.begin(), results.end(),
-                       [&](const json& line) { return number_at(line, ("/visibility/" + truth + "/mae").c_str()).has_value(); });
+    return std::any_of(results.begin(), results.end(), [&](const json& line) {
+      return number_at(line, ("/visibility/" + truth + "/mae").c_str()).has_value();
+    });
   };
   if (measured(wanted)) return wanted;
   for (const char* truth : k_truth_names) {
@@ -59,7 +60,8 @@ int digits_of(const Column& column, std::span<const json> lines) {
   if (column.style == Column::percent) return 2;
   if (column.style == Column::mebibytes) return 1;
   double largest = 0;
-  for (const json& line : lines) largest = std::max(largest, number_at(line, column.pointer.c_str()).value_or(0) * column.scale);
+  for (const json& line : lines)
+    largest = std::max(largest, number_at(line, column.pointer.c_str()).value_or(0) * column.scale);
   return largest >= 1000 ? 1 : largest >= 100 ? 2 : 3;
 }
 

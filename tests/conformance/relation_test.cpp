@@ -203,7 +203,8 @@ TEST(Relation, ErrorsDoNotDependOnTheScenesSize) {
   }
 }
 
-// Small scenes too, in which an absolute length is all there is: the masks themselves, by rays and maps, under each kind of light.
+// Small scenes too, in which an absolute length is all there is: the masks themselves, by rays and maps, under each kind of
+// light.
 TEST(Relation, MasksDoNotDependOnTheScenesSize) {
   for (const LightKind kind : {LightKind::directional, LightKind::spot, LightKind::point}) {
     const auto view_of = [&](float factor) -> View& {
@@ -222,7 +223,8 @@ TEST(Relation, MasksDoNotDependOnTheScenesSize) {
       EXPECT_LE(different, receivers / 500) << "the reference, times " << factor;
       for (const TechniqueSpec& spec : all_techniques()) {
         // Filters whose parameters are metres (esm.c, min_variance) are scenes' own.
-        const bool by_texels = spec.name.find('/') == std::string::npos || spec.name.ends_with("/hard") || spec.name.ends_with("/pcf");
+        const bool by_texels =
+            spec.name.find('/') == std::string::npos || spec.name.ends_with("/hard") || spec.name.ends_with("/pcf");
         if (!by_texels || !spec.supports(kind)) continue;
         const auto a = test::run_technique(metres, spec, spec.default_settings()).mask,
                    b = test::run_technique(view, spec, spec.default_settings()).mask;
@@ -230,7 +232,8 @@ TEST(Relation, MasksDoNotDependOnTheScenesSize) {
         for (size_t i = 0; i < a.size(); ++i) {
           if (truth.receiver[i]) difference += std::abs(double(a[i]) - double(b[i]));
         }
-        EXPECT_LT(difference / static_cast<double>(receivers), 0.002) << spec.name << " under " << light_kind_name(kind) << ", times " << factor;
+        EXPECT_LT(difference / static_cast<double>(receivers), 0.002)
+            << spec.name << " under " << light_kind_name(kind) << ", times " << factor;
       }
     }
   }

@@ -1,4 +1,5 @@
-// A scene whose x and z are exchanged, seen from between them, has the mirrored mask: no filter takes one axis of its map for the other.
+// A scene whose x and z are exchanged, seen from between them, has the mirrored mask: no filter takes one axis of its map for
+// the other.
 #include <cmath>
 
 #include "shadow/registry.h"
@@ -30,9 +31,9 @@ TEST_P(Symmetry, ExchangedAxesMirrorTheMask) {
   const auto& spec = find_technique(GetParam());
   // Wide filters: a kernel of one texel has no axes.
   SettingsMap settings = test::settings_of(spec, {"single.size=128"});
-  for (const auto& [filter, key, value] : {std::tuple("savsm", "width", "33"), std::tuple("vsm", "blur", "6"),
-                                           std::tuple("evsm", "blur", "6"), std::tuple("esm", "blur", "6"),
-                                           std::tuple("msm", "blur", "6"), std::tuple("pcf", "size", "11")}) {
+  for (const auto& [filter, key, value] :
+       {std::tuple("savsm", "width", "33"), std::tuple("vsm", "blur", "6"), std::tuple("evsm", "blur", "6"),
+        std::tuple("esm", "blur", "6"), std::tuple("msm", "blur", "6"), std::tuple("pcf", "size", "11")}) {
     if (const auto found = settings.find(std::string_view(filter)); found != settings.end()) found->second.set(key, value, key);
   }
   const auto a = test::run_technique(plain, spec, settings).mask, b = test::run_technique(exchanged, spec, settings).mask;

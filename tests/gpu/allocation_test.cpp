@@ -1,4 +1,5 @@
-// Memory that runs out while a frame is made and drawn: an error, or the same mask, never a half; nothing is left behind on the device.
+// Memory that runs out while a frame is made and drawn: an error, or the same mask, never a half; nothing is left behind on the
+// device.
 #include "support/failing_allocation.h"
 #include "support/scenes.h"
 #include "support/view.h"

@@ -111,7 +111,7 @@ size_t count_allocations(const std::function<void()>& action) {
 }
 
 void try_without_memory(const std::string& what, const std::function<uint64_t()>& action, size_t tries, size_t but_the_last) {
-  called_by_the_program();  // the first call loads what it needs
+  called_by_the_program();             // the first call loads what it needs
   const uint64_t expected = action();  // what is made once in a process is there after this
   ASSERT_EQ(run_with_failure(action, SIZE_MAX, expected), End::same_result) << what;
   ASSERT_GT(calls, but_the_last) << what;

@@ -16,9 +16,7 @@ using test_files::json;
 
 uint64_t hash_of(const Scene& scene) { return std::stoull(scene.content_hash(), nullptr, 16); }
 
-std::array<uint8_t, 4> holes(int x, int y) {
-  return {200, 100, 50, static_cast<uint8_t>((x / 4 + y / 4) % 2 == 0 ? 255 : 0)};
-}
+std::array<uint8_t, 4> holes(int x, int y) { return {200, 100, 50, static_cast<uint8_t>((x / 4 + y / 4) % 2 == 0 ? 255 : 0)}; }
 
 TEST(WithoutMemory, AnObjIsLoadedWholeOrNotAtAll) {
   const test_files::Folder folder;
@@ -27,23 +25,22 @@ TEST(WithoutMemory, AnObjIsLoadedWholeOrNotAtAll) {
   write_file(folder.path() / "a.obj",
              "mtllib A.mtl\no first\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0.5\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl leaf\n"
              "f 1/1 2/2 3/3 4/1\no second\nusemtl pane\nf 1 2 4\nl 1 2\n");
-  try_without_memory("obj", [&] { return hash_of(load_scene((folder.path() / "a.obj").string())); }, 160);
+  try_without_memory(
+      "obj", [&] { return hash_of(load_scene((folder.path() / "a.obj").string())); }, 160);
 }
 
 TEST(WithoutMemory, AGltfIsLoadedWholeOrNotAtAll) {
   const test_files::Folder folder;
   folder.picture("leaf.png", 16, 16, holes);
   GltfBuilder b;
-  const json attributes = {
-      {"POSITION", b.positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})},
-      {"TEXCOORD_0", b.uvs({{0, 0}, {1, 0}, {0, 1}})},
-      {"JOINTS_0", b.accessor(std::vector<uint8_t>(12, 0), "VEC4", test_files::k_ubyte, 3)},
-      {"WEIGHTS_0", b.vec4s({{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}})}};
+  const json attributes = {{"POSITION", b.positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})},
+                           {"TEXCOORD_0", b.uvs({{0, 0}, {1, 0}, {0, 1}})},
+                           {"JOINTS_0", b.accessor(std::vector<uint8_t>(12, 0), "VEC4", test_files::k_ubyte, 3)},
+                           {"WEIGHTS_0", b.vec4s({{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}})}};
   b.root["images"] = {{{"uri", "leaf.png"}}};
   b.root["textures"] = {{{"source", 0}}};
-  b.root["materials"] = {{{"name", "leaf"},
-                          {"alphaMode", "MASK"},
-                          {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+  b.root["materials"] = {
+      {{"name", "leaf"}, {"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
   b.mesh(attributes, b.indices({0, 1, 2}),
          {{"material", 0}, {"targets", {{{"POSITION", b.positions({{0, 0, 1}, {0, 0, 0}, {0, 0, 0}})}}}}});
   b.root["meshes"][0]["weights"] = {0.5};
@@ -51,7 +48,9 @@ TEST(WithoutMemory, AGltfIsLoadedWholeOrNotAtAll) {
   b.node({{"name", "joint"}});
   b.root["skins"] = {{{"joints", {1}}, {"inverseBindMatrices", b.matrices({mat4(1.0f)})}}};
   b.root["animations"] = {
-      {{"samplers", {{{"input", b.numbers({0, 1})}, {"output", b.accessor(std::vector<vec3>{{0, 0, 0}, {0, 2, 0}}, "VEC3", test_files::k_float, 2)}}}},
+      {{"samplers",
+        {{{"input", b.numbers({0, 1})},
+          {"output", b.accessor(std::vector<vec3>{{0, 0, 0}, {0, 2, 0}}, "VEC3", test_files::k_float, 2)}}}},
        {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}}};
   SceneFileOptions options;
   options.params.time = 0.5;
@@ -64,7 +63,8 @@ TEST(WithoutMemory, AGltfIsLoadedWholeOrNotAtAll) {
 }
 
 TEST(WithoutMemory, ABuiltInSceneIsMadeWholeOrNotAtAll) {
-  try_without_memory("chart/sphere", [] { return hash_of(load_scene("chart/sphere")); }, 60);
+  try_without_memory(
+      "chart/sphere", [] { return hash_of(load_scene("chart/sphere")); }, 60);
 }
 
 TEST(WithoutMemory, TheCpuTracesAllOrNothing) {

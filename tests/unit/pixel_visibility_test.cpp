@@ -33,7 +33,8 @@ TEST(PixelVisibility, WhatIsNoSquareIsRefusedWithItsNeighbours) {
       ADD_FAILURE() << count;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ExitCode::usage);
-      EXPECT_NE(std::string(error.what()).find(fmt::format("valid: {} or {}", below, above)), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(fmt::format("valid: {} or {}", below, above)), std::string::npos)
+          << error.what();
     }
   }
 }
@@ -44,13 +45,13 @@ TEST(PixelVisibility, IsTheMeanOverThePointsOnThatSurfaceAlone) {
     average.add(std::vector{p}, std::vector{s}, a, 1);
   };
   add(point({0.1f, 0, 0}), sample(3, 0), answer(1.0f));
-  add(point({0.1f, 0, 0.1f}), sample(3, 7), answer(0.0f));                                      // a neighbour in its plane
+  add(point({0.1f, 0, 0.1f}), sample(3, 7), answer(0.0f));  // a neighbour in its plane
   add(point({0, 0, 0.1f}), sample(3, 0), answer(0.5f));
-  add(point({0.1f, 0, 0}), sample(4, 0), answer(0.0f));                                         // another item
-  add(point({0.1f, -0.1f, 0}), sample(3, 8), answer(0.0f));                                     // a step below
-  add(point({0.1f, 0, 0}, {0.6f, 0.8f, 0}), sample(3, 9, {0.6f, 0.8f, 0}), answer(0.0f));        // beyond a crease
-  add(point({0.1f, 0, 0}), sample(k_no_item, 0), answer(0.0f, 0));                              // the sky
-  add(point({0.1f, 0, 0}), sample(3, 0), answer(0.0f, 0));                                      // faces away from the light
+  add(point({0.1f, 0, 0}), sample(4, 0), answer(0.0f));                                    // another item
+  add(point({0.1f, -0.1f, 0}), sample(3, 8), answer(0.0f));                                // a step below
+  add(point({0.1f, 0, 0}, {0.6f, 0.8f, 0}), sample(3, 9, {0.6f, 0.8f, 0}), answer(0.0f));  // beyond a crease
+  add(point({0.1f, 0, 0}), sample(k_no_item, 0), answer(0.0f, 0));                         // the sky
+  add(point({0.1f, 0, 0}), sample(3, 0), answer(0.0f, 0));                                 // faces away from the light
   const PixelVisibility pixel = average.finish();
   EXPECT_EQ(pixel.result.receiver, std::vector<uint8_t>{1});
   EXPECT_FLOAT_EQ(pixel.result.visibility[0], 0.5f);
@@ -62,7 +63,8 @@ TEST(PixelVisibility, SurfacesOfTooFewPointsAreCountedAndNotJudged) {
   for (const int on : {3, 4}) {
     // The second sample of the pixel faces away from the light: neither judged nor uncovered.
     PixelAverage average({point({0, 0, 0}), point({0, 0, 0})}, {sample(1, 0), sample(2, 0)}, {1, 0}, 2);
-    for (int i = 0; i < 16; ++i) average.add(std::vector{point({0, 0, 0})}, std::vector{sample(i < on ? 1 : 2, 0)}, answer(1.0f), 1);
+    for (int i = 0; i < 16; ++i)
+      average.add(std::vector{point({0, 0, 0})}, std::vector{sample(i < on ? 1 : 2, 0)}, answer(1.0f), 1);
     const PixelVisibility pixel = average.finish();
     EXPECT_EQ(pixel.result.receiver, (std::vector<uint8_t>{static_cast<uint8_t>(on == 4), 0}));
     EXPECT_EQ(pixel.uncovered, on == 4 ? 0.0 : 1.0);

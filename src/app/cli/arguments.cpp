@@ -43,7 +43,8 @@ void ViewArguments::add_to(CLI::App& command) {
 void add_against(CLI::App& command, std::string& against) {
   command
       .add_option("--against", against,
-                  "the truth that errors are sorted and judged by: pixel (what each pixel should show), area (the light in its real size), "
+                  "the truth that errors are sorted and judged by: pixel (what each pixel should show), area (the light in its "
+                  "real size), "
                   "hard (one ray to its middle)")
       ->check(CLI::IsMember({"pixel", "area", "hard"}))
       ->capture_default_str();

@@ -41,8 +41,8 @@ void check_threshold(const std::vector<nlohmann::json>& lines, const Arguments& 
     }
     const auto& scores = line["visibility"];
     if (!scores.contains(arguments.against)) {
-      missing.push_back(fmt::format("{} (there is no truth '{}' here: the light has no size, or the settings leave it out)", name,
-                                    arguments.against));
+      missing.push_back(fmt::format("{} (there is no truth '{}' here: the light has no size, or the settings leave it out)",
+                                    name, arguments.against));
       continue;
     }
     const auto& mae = scores[arguments.against]["mae"];
@@ -95,9 +95,9 @@ void add_compare(CLI::App& app, const Globals& globals) {
                    "folder for results.jsonl, images and report.html; a finished run replaces the former one")
       ->required();
   command
-      ->add_option(
-          "--max-error", arguments->max_error,
-          "exit with 4 when the mae (by --against) of a technique is above this, with 3 when a named technique cannot be measured")
+      ->add_option("--max-error", arguments->max_error,
+                   "exit with 4 when the mae (by --against) of a technique is above this, with 3 when a named technique cannot "
+                   "be measured")
       ->check(CLI::Range(0.0, 1.0));
   add_against(*command, arguments->against);
   command->add_flag("--resume", arguments->resume,

@@ -37,7 +37,8 @@ void check_triangles(size_t in_structure, size_t rasterised, const std::string& 
        rasterised);
 }
 
-// Draws the surface once for each place, with a frame of its own: that of the session stays as it is. `trace` as in make_references.
+// Draws the surface once for each place, with a frame of its own: that of the session stays as it is. `trace` as in
+// make_references.
 template <class Trace>
 void average_pixels(Session& session, std::span<const vec2> places, bool area, ReferenceSet& set, uint32_t seed,
                     const Trace& trace) {
@@ -89,9 +90,7 @@ size_t rasterised_caster_triangles(Session& session) {
   return recorder.finish().passes.back().triangles;
 }
 
-const char* truth_name(Truth truth) {
-  return truth == Truth::hard ? "hard" : truth == Truth::area ? "area" : "pixel";
-}
+const char* truth_name(Truth truth) { return truth == Truth::hard ? "hard" : truth == Truth::area ? "area" : "pixel"; }
 
 Truth truth_named(std::string_view name) {
   for (const Truth truth : k_truths) {

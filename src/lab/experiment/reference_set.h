@@ -8,8 +8,8 @@
 
 namespace gnomon {
 
-// What "right" means (docs/measuring.md): one ray from the pixel's centre to the light's; rays over the light from there; or the mean
-// over points within the pixel, of rays over the light where it has a size.
+// What "right" means (docs/measuring.md): one ray from the pixel's centre to the light's; rays over the light from there; or
+// the mean over points within the pixel, of rays over the light where it has a size.
 enum class Truth { hard, area, pixel };
 inline constexpr Truth k_truths[] = {Truth::pixel, Truth::area, Truth::hard};  // the first is what tables sort by
 const char* truth_name(Truth truth);
@@ -33,8 +33,9 @@ struct ReferenceSet {
   std::vector<LightReference> lights;
 };
 
-// Traces; all that the settings ask for, or (hard and) one. The surface buffer must be drawn. Throws Error when the acceleration structure does not hold the triangles that the
-// rasteriser draws as casters: such a reference would flatter or slander every technique.
+// Traces; all that the settings ask for, or (hard and) one. The surface buffer must be drawn. Throws Error when the
+// acceleration structure does not hold the triangles that the rasteriser draws as casters: such a reference would flatter or
+// slander every technique.
 ReferenceSet make_references(Session& session, std::optional<Truth> only = std::nullopt);
 
 // Triangles that the rasteriser assembles for all casters, read from the GPU's pipeline statistics (from the scene's list where

@@ -18,8 +18,7 @@ std::vector<vec2> subpixel_places(int count) {
   }
   std::vector<vec2> places;
   for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x)
-      places.push_back((vec2(x, y) + 0.5f) / static_cast<float>(side) - 0.5f);
+    for (int x = 0; x < side; ++x) places.push_back((vec2(x, y) + 0.5f) / static_cast<float>(side) - 0.5f);
   }
   return places;
 }
@@ -68,7 +67,8 @@ PixelVisibility PixelAverage::finish() const {
     const auto n = static_cast<float>(sum.count);
     result.receiver[i] = 1;
     result.visibility[i] = sum.visibility / n;
-    // Of which of the pixel's points the answers are, as if they were drawn at random (squares do better); and of each answer's rays.
+    // Of which of the pixel's points the answers are, as if they were drawn at random (squares do better); and of each answer's
+    // rays.
     variance[i] = visibility_variance(result.visibility[i], static_cast<int>(sum.count)) + sum.variance / (n * n);
   }
   pixel.uncovered = receivers > 0 ? static_cast<double>(uncovered) / static_cast<double>(receivers) : 0.0;

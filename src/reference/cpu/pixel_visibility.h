@@ -1,5 +1,6 @@
-// The truth of pixels: what a pixel should show of a surface is the mean visibility over what it sees of it, not that of the one point
-// at its centre, against which every antialiased technique is wrong. An average over points within each pixel that a tracer answers.
+// The truth of pixels: what a pixel should show of a surface is the mean visibility over what it sees of it, not that of the
+// one point at its centre, against which every antialiased technique is wrong. An average over points within each pixel that a
+// tracer answers.
 #pragma once
 
 #include <span>
@@ -11,12 +12,13 @@
 
 namespace gnomon {
 
-// `count` points within a pixel, each as its distance from the middle, in pixels: the middles of equal squares, so that a picture of
-// as many times more pixels has the same points. Throws Error (usage) where `count` is no square number.
+// `count` points within a pixel, each as its distance from the middle, in pixels: the middles of equal squares, so that a
+// picture of as many times more pixels has the same points. Throws Error (usage) where `count` is no square number.
 std::vector<vec2> subpixel_places(int count);
 
 struct PixelVisibility {
-  // As for the samples of a frame. receiver: the sample's own surface receives light and at least a quarter of the points lie on it.
+  // As for the samples of a frame. receiver: the sample's own surface receives light and at least a quarter of the points lie
+  // on it.
   ReferenceResult result;
   double uncovered = 0.0;  // share of the samples that receive light, in [0, 1], without so many points: they are not judged
 };
@@ -29,7 +31,8 @@ class PixelAverage {
 
   // One more point in each pixel: what it sees, and its answer from `rays` rays. Points that do not receive light do not count:
   // shading makes them dark, not shadow.
-  void add(std::span<const SurfacePoint> points, std::span<const SurfaceSample> surface, const ReferenceResult& answer, int rays);
+  void add(std::span<const SurfacePoint> points, std::span<const SurfaceSample> surface, const ReferenceResult& answer,
+           int rays);
 
   PixelVisibility finish() const;
 

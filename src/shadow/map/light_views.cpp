@@ -44,7 +44,8 @@ ShadowView orthographic_view(const LightFrame& light, const Box& fit, float near
   // A view that sees no caster keeps a small valid map; everything is then outside it and lit.
   const vec2 across = vec2(fit.max) - vec2(fit.min);
   const float largest = std::max({across.x, across.y, far - near});
-  const float width = some_extent(across.x, largest), height = some_extent(across.y, largest), depth = some_extent(far - near, largest);
+  const float width = some_extent(across.x, largest), height = some_extent(across.y, largest),
+              depth = some_extent(far - near, largest);
   mat4 clip_from_light(0.0f);
   clip_from_light[0][0] = 2.0f / width;
   clip_from_light[1][1] = 2.0f / height;
