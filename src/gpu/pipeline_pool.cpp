@@ -17,10 +17,10 @@ PipelinePool::~PipelinePool() {
 }
 
 VkPipeline PipelinePool::take(const PipelineRecipe& recipe) {
-  const auto found = std::find_if(idle_.begin(), idle_.end(), [&](const Idle& idle) { return idle.recipe == recipe; });
-  if (recipe.empty() || found == idle_.end()) return VK_NULL_HANDLE;
+  const auto found = std::find_if(idle_.rbegin(), idle_.rend(), [&](const Idle& idle) { return idle.recipe == recipe; });
+  if (recipe.empty() || found == idle_.rend()) return VK_NULL_HANDLE;
   const VkPipeline pipeline = found->pipeline;
-  idle_.erase(found);
+  idle_.erase(std::next(found).base());
   return pipeline;
 }
 
