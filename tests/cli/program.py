@@ -14,7 +14,7 @@ SHARED_SCENES = ROOT.parent / "shared" / "scenes"
 OK, FAILURE, USAGE, DEVICE, THRESHOLD = range(5)
 
 # Small pictures, few frames, few rays: the numbers are not looked at, only their path.
-QUICK = ["--size", "96x64", "--set", "reference.samples=8"]
+QUICK = ["--size", "96x64", "--set", "reference.samples=8", "--set", "reference.pixel_samples=4"]
 QUICK_TIMING = ["--set", "measure.frames=3", "--set", "measure.warm_up=0"]
 
 
