@@ -64,15 +64,24 @@ void refuse_for_obj(const std::string& path, const SceneFileOptions& options) {
   if (options.params.time != 0.0f) refuse("--time", options.params.time);
 }
 
+void refuse_for_gltf(const std::string& path, const SceneFileOptions& options) {
+  if (options.params.alpha_from_colour == scene_file_params::Params().alpha_from_colour) return;
+  fail_usage("{}: scene.alpha_from_colour: a glTF file says itself what is cut out; valid for OBJ files", path);
+}
+
 // Line breaks in what a file says - in names, and so in errors - are shown as text, since messages have lines of their own.
+// What has no name gets one by which --cast and the like can mean it.
 Scene load_file(const std::filesystem::path& path, bool is_obj, const SceneFileOptions& options) {
-  const auto settle = [](auto& items) {
-    for (auto& item : items) item.name = visible_line(item.name);
+  const auto settle = [](const char* kind, auto& items) {
+    for (size_t i = 0; i < items.size(); ++i) {
+      std::string& name = items[i].name;
+      name = name.empty() ? fmt::format("{}[{}]", kind, i) : visible_line(name);
+    }
   };
   try {
     Scene scene = is_obj ? load_obj(path, options) : load_gltf(path, options);
-    settle(scene.objects), settle(scene.materials), settle(scene.meshes);
-    settle(scene.textures), settle(scene.lights), settle(scene.cameras);
+    settle("objects", scene.objects), settle("materials", scene.materials), settle("meshes", scene.meshes);
+    settle("textures", scene.textures), settle("lights", scene.lights), settle("cameras", scene.cameras);
     return scene;
   } catch (const Interrupted&) {
     throw;
@@ -112,7 +121,7 @@ Scene load_scene(const std::string& name_or_path, const std::map<std::string, do
     fail_usage("scene.{}: a scene from a file has no such option; valid: {}", options.begin()->first,
                fmt::join(scene_file_option_names(), ", "));
   }
-  if (is_obj) refuse_for_obj(name_or_path, file_options);
+  is_obj ? refuse_for_obj(name_or_path, file_options) : refuse_for_gltf(name_or_path, file_options);
   const WarningLimit limit;
   Scene scene = load_file(path, is_obj, file_options);
   add_default_paths(scene);

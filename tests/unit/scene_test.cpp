@@ -6,6 +6,8 @@
 #include <functional>
 
 #include "base/error.h"
+#include "base/file.h"
+#include "base/temporary_folder.h"
 #include "scene/load.h"
 
 namespace gnomon {
@@ -368,6 +370,31 @@ TEST(LoadScene, WhatOnlyGltfHasIsRefusedForObj) {
     const std::string message = error_of([&, given = options] { load_scene("/nowhere/scene.obj", {}, given); });
     EXPECT_NE(message.find(says), std::string::npos) << message;
   }
+}
+
+TEST(LoadScene, WhatOnlyObjHasIsRefusedForGltf) {
+  SceneFileOptions options;
+  options.params.alpha_from_colour = scene_file_params::alpha_from_colour_on;
+  const std::string message = error_of([&] { load_scene("/nowhere/scene.gltf", {}, options); });
+  EXPECT_NE(message.find("scene.alpha_from_colour"), std::string::npos) << message;
+}
+
+TEST(LoadScene, WhatHasNoNameGetsOne) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "nameless.obj";
+  write_file(path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  Scene scene = load_scene(path.string());
+  for (const Object& object : scene.objects) EXPECT_FALSE(object.name.empty());
+  const auto gltf = folder.path() / "nameless.gltf";
+  write_file(
+      gltf,
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"","mesh":0}],"materials":[{"name":""}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],"accessors":[{"bufferView":0,"componentType":5126,)"
+      R"("type":"VEC3","count":3}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":)"
+      R"("data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  scene = load_scene(gltf.string());
+  EXPECT_EQ(scene.objects.at(0).name, "objects[0]");
+  for (const Material& material : scene.materials) EXPECT_FALSE(material.name.empty());
 }
 
 TEST(LoadScene, OptionsAreChecked) {

@@ -2,6 +2,7 @@
 import unittest
 
 from case import WIDE, WindowCase
+from viewer import difference, part
 
 
 class Scenes(WindowCase):
@@ -49,6 +50,25 @@ class Scenes(WindowCase):
         viewer.press("1")
         viewer.until_command(f"--camera {saved}")
         self.assertEqual(viewer.text("comparison"), "1 rows")
+        self.close(viewer)
+
+    def test_who_casts_is_clicked(self):
+        """The list below the scene takes an object's shadow away, and gives it back."""
+        viewer = self.open("chart/slab", *WIDE, "--technique", "single/hard", "--set", "single.size=256")
+        whole = viewer.picture()
+        viewer.click("casting")
+        viewer.until(lambda status: "cast:slab" in status["widgets"], "the list")
+        viewer.click("cast:slab")
+        viewer.until_command("--cast slab=off")
+        viewer.frames(3)
+        without = viewer.picture()
+        # The middle of the window is the scene.
+        area = (400, 150, 760, 500)
+        self.assertGreater(difference(part(whole, *area), part(without, *area)), 4)
+        viewer.click("cast_reset")
+        viewer.until(lambda status: "--cast" not in status["command"], "no rule")
+        viewer.frames(3)
+        self.assertLess(difference(part(whole, *area), part(viewer.picture(), *area)), 0.5)
         self.close(viewer)
 
     def test_lights_that_the_chosen_technique_does_not_serve(self):

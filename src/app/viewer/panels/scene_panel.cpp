@@ -65,8 +65,9 @@ void ScenePanel::find_rows(const Scene& scene) {
 }
 
 void ScenePanel::show_casting(ViewState& state, const Scene& scene) {
-  if (!ImGui::TreeNode("who casts shadows")) return;
+  const bool open = ImGui::TreeNode("who casts shadows");
   note_widget("casting");
+  if (!open) return;
   ImGui::SetNextItemWidth(-1.0f);
   const bool typed = ImGui::InputTextWithHint("##cast_filter", "part of a name", filter_, sizeof filter_);
   note_widget("cast_filter");
