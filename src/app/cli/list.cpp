@@ -48,13 +48,16 @@ Rows suite_rows() {
 }
 
 Rows metric_rows() {
-  return {{"mae", "mean absolute difference between mask and reference, over receivers"},
+  return {{"mae",
+           "mean absolute difference between mask and reference, over receivers; this and the next six against pixel, area and "
+           "hard"},
           {"rmse", "root of the mean squared difference, over receivers"},
           {"bias", "mean signed difference, mask - reference"},
           {"false_shadow.area", "share of receivers that are darker than the reference by more than 1/255"},
           {"false_shadow.severity", "mean difference among those"},
           {"false_light.area", "share of receivers that are brighter than the reference by more than 1/255"},
           {"false_light.severity", "mean difference among those"},
+          {"reference.pixel.uncovered", "share of receivers without enough points on their surface: not judged against pixel"},
           {"image.rmse", "root mean squared difference of the shaded pictures, display values"},
           {"image.psnr", "the same in dB"}};
 }
