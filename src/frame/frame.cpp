@@ -270,8 +270,7 @@ std::vector<SurfacePoint> Frame::read_points() const {
   return read_back_as<SurfacePoint>(device_, points, sample_count());
 }
 
-std::vector<SurfaceSample> Frame::read_surface() const {
-  const auto points = read_points();
+std::vector<SurfaceSample> Frame::read_surface(std::span<const SurfacePoint> points) const {
   const auto z = read_back_as<float>(device_, view_z_, sample_count());
   const auto item = read_back_as<uint32_t>(device_, item_, sample_count()),
              primitive = read_back_as<uint32_t>(device_, primitive_, sample_count());

@@ -75,7 +75,7 @@ class Frame {
   // Per sample: the index of the sample whose answer it shares (its own where it leads its surface).
   std::vector<uint32_t> read_leaders() const;
   std::vector<SurfacePoint> read_points() const;
-  std::vector<SurfaceSample> read_surface() const;  // of the same samples
+  std::vector<SurfaceSample> read_surface(std::span<const SurfacePoint> points) const;  // of the same samples, which are read
   // The same points for the GPU's reference.
   Buffer make_points() const;
 

@@ -146,8 +146,7 @@ void GpuScene::upload_geometry() {
     item_list_.insert(item_list_.end(), by_bucket[b].begin(), by_bucket[b].end());
     buckets_[b].end = static_cast<uint32_t>(item_list_.size());
   }
-  if (item_list_.empty())
-    fail("{}: nothing to draw: the scene has no triangles", scene_.source.empty() ? scene_.name : scene_.source);
+  if (item_list_.empty()) fail("{}: nothing to draw: the scene has no triangles", scene_.file_or_name());
   if (item_list_.size() >= k_max_id) fail("{}: {} objects; at most {} are supported", scene_.name, item_list_.size(), k_max_id);
 
   const VkBufferUsageFlags build_input =

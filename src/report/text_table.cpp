@@ -20,18 +20,18 @@ struct Column {
   enum Style { error, percent, time, mebibytes } style;
 };
 
-// The truth that a table goes by: all its groups must have it.
+bool is_measured(std::span<const json> results, const std::string& truth) {
+  const std::string pointer = "/visibility/" + truth + "/mae";
+  return std::any_of(results.begin(), results.end(),
+                     [&](const json& line) { return number_at(line, pointer.c_str()).has_value(); });
+}
+
+// The truth that a table goes by.
 std::string truth_of(std::span<const json> results, const std::string& wanted) {
-  const auto measured = [&](const std::string& truth) {
-    return std::any_of(results.begin(), results.end(), [&](const json& line) {
-      return number_at(line, ("/visibility/" + truth + "/mae").c_str()).has_value();
-    });
-  };
-  if (measured(wanted)) return wanted;
-  for (const char* truth : k_truth_names) {
-    if (measured(truth)) return truth;
-  }
-  return wanted;
+  if (is_measured(results, wanted)) return wanted;
+  const auto found = std::find_if(std::begin(k_truth_names), std::end(k_truth_names),
+                                  [&](const char* truth) { return is_measured(results, truth); });
+  return found == std::end(k_truth_names) ? wanted : *found;
 }
 
 // The scores by the truth that counts, then what the others say; columns of other truths that nothing fills are left out.
@@ -41,8 +41,8 @@ std::vector<Column> columns_of(std::span<const json> results, const std::string&
                                  {"false shadow %", scores + "/false_shadow/area", 100, Column::percent},
                                  {"false light %", scores + "/false_light/area", 100, Column::percent}};
   for (const std::string other : k_truth_names) {
-    const std::string pointer = "/visibility/" + other + "/mae";
-    if (other != truth && truth_of(results, other) == other) columns.push_back({other + " mae", pointer, 1, Column::error});
+    if (other != truth && is_measured(results, other))
+      columns.push_back({other + " mae", "/visibility/" + other + "/mae", 1, Column::error});
   }
   for (const char* stage : {"build", "resolve", "total"})
     columns.push_back({std::string(stage) + " ms", std::string("/gpu_ms/") + stage, 1, Column::time});

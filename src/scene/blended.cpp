@@ -86,7 +86,7 @@ void settle_blended(Scene& scene, const SceneFileOptions& options) {
   log_warning(
       "{}: blended materials: {}; the camera sees them as solid wherever their texture is not clear, {} (scene.blend_casts, "
       "or --cast NAME=on|off)",
-      scene.source.empty() ? scene.name : scene.source, first_names(names), outcome(rule));
+      scene.file_or_name(), first_names(names), outcome(rule));
 }
 
 }  // namespace gnomon

@@ -19,7 +19,7 @@ bool finite(const T& value) {
 
 class Checker {
  public:
-  explicit Checker(const Scene& scene) : scene_(scene), name_(scene.source.empty() ? scene.name : scene.source) {}
+  explicit Checker(const Scene& scene) : scene_(scene), name_(scene.file_or_name()) {}
 
   void check() const {
     if (scene_.materials.empty()) fail("{}: materials: empty; at least one is needed", name_);

@@ -35,7 +35,7 @@ void warn_of_cut_away(const Scene& scene) {
   log_warning(
       "{}: alpha-tested materials that are cut away as a whole: {}; all of their alpha is below the cutoff, so that nothing of "
       "them is seen or casts",
-      scene.source.empty() ? scene.name : scene.source, first_names(names));
+      scene.file_or_name(), first_names(names));
 }
 
 }  // namespace gnomon

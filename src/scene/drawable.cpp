@@ -24,7 +24,7 @@ std::string text(const vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})",
 
 class Drawable {
  public:
-  explicit Drawable(const Scene& scene) : scene_(scene), name_(scene.source.empty() ? scene.name : scene.source) {}
+  explicit Drawable(const Scene& scene) : scene_(scene), name_(scene.file_or_name()) {}
 
   void check() const {
     if (scene_.triangle_count() == 0) {
@@ -128,7 +128,7 @@ void warn_of_strays(const Scene& scene) {
       "{}: object '{}' reaches to {}, {:.2g} times as far out as the rest of the scene{}: the camera that frames the scene "
       "leaves that out, but shadow maps span it and are coarse for the rest; remove it, or leave it out of the maps with "
       "--cast '{}=off'",
-      scene.source.empty() ? scene.name : scene.source, first->name, text(position), farthest / subject.usual_m,
+      scene.file_or_name(), first->name, text(position), farthest / subject.usual_m,
       count > 1 ? fmt::format(" ({} such objects)", count) : "", first->name);
 }
 

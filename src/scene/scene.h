@@ -178,6 +178,8 @@ struct Scene {
   std::vector<SunPath> sun_paths;
   ClosedFormVisibility closed_form;  // test charts only
 
+  // By what messages name it: its file, or its own name.
+  const std::string& file_or_name() const { return source.empty() ? name : source; }
   Box bounds() const;             // world space
   size_t triangle_count() const;  // as drawn: instances counted
   // Of everything that can change a picture: geometry, materials, textures, transforms, lights, cameras. 16 hex digits.

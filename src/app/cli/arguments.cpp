@@ -10,6 +10,7 @@
 #include "lab/experiment/compare.h"
 #include "lab/view/light_text.h"
 #include "lab/view/preset_use.h"
+#include "report/report.h"
 
 namespace gnomon::cli {
 
@@ -46,7 +47,7 @@ void add_against(CLI::App& command, std::string& against) {
                   "the truth that errors are sorted and judged by: pixel (what each pixel should show), area (the light in its "
                   "real size), "
                   "hard (one ray to its middle)")
-      ->check(CLI::IsMember({"pixel", "area", "hard"}))
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(k_truth_names), std::end(k_truth_names))))
       ->capture_default_str();
 }
 

@@ -40,14 +40,13 @@ void check_triangles(size_t in_structure, size_t rasterised, const std::string& 
 // Draws the surface once for each place, with a frame of its own: that of the session stays as it is. `trace` as in
 // make_references.
 template <class Trace>
-void average_pixels(Session& session, std::span<const vec2> places, bool area, ReferenceSet& set, uint32_t seed,
-                    const Trace& trace) {
+void average_pixels(Session& session, std::span<const SurfacePoint> points, std::span<const vec2> places, bool area,
+                    ReferenceSet& set, uint32_t seed, const Trace& trace) {
   const Frame& frame = session.frame();
-  const auto points = frame.read_points();
-  const auto surface = frame.read_surface();
+  const auto surface = frame.read_surface(points);
   std::vector<PixelAverage> averages;
   for (const LightReference& reference : set.lights)
-    averages.emplace_back(points, surface, reference.hard.receiver, frame.samples());
+    averages.emplace_back(std::vector(points.begin(), points.end()), surface, reference.hard.receiver, frame.samples());
 
   Frame between(session.device(), frame.scene(), frame.size(), 1, frame.lights());
   Recorder recorder(session.device(), TimingMode::play, false);
@@ -55,13 +54,13 @@ void average_pixels(Session& session, std::span<const vec2> places, bool area, R
     between.set_camera(session.camera(), places[i]);
     recorder.frame([&] { between.record_surface(recorder); });
     const auto points_between = between.read_points();
-    const auto surface_between = between.read_surface();
+    const auto surface_between = between.read_surface(points_between);
     for (size_t light = 0; light < averages.size(); ++light) {
       const bool sized = area && frame.lights()[light].has_size();
       const int rays = sized ? set.rays_per_pixel_sample : 1;
       // Another seed for each place: their rays are no copies of each other.
       const ReferenceResult answer =
-          trace(between, frame.lights()[light], sized, rays, seed + static_cast<uint32_t>(i) * 0x9e3779b9u);
+          trace(between, points_between, frame.lights()[light], sized, rays, seed + static_cast<uint32_t>(i) * 0x9e3779b9u);
       averages[light].add(points_between, surface_between, answer, rays);
     }
   }
@@ -105,13 +104,6 @@ const ReferenceResult* LightReference::find(Truth truth) const {
   return pixel ? &pixel->result : nullptr;
 }
 
-const ReferenceResult& LightReference::best() const {
-  for (const Truth truth : k_truths) {
-    if (const ReferenceResult* result = find(truth)) return *result;
-  }
-  return hard;
-}
-
 ReferenceSet make_references(Session& session, std::optional<Truth> only) {
   const auto params = session.settings().block("reference").as<reference_params::Params>();
   const size_t rasterised = rasterised_caster_triangles(session);
@@ -124,30 +116,31 @@ ReferenceSet make_references(Session& session, std::optional<Truth> only) {
   set.pixel_samples = params.pixel_samples;
   set.rays_per_pixel_sample = std::max((params.samples + params.pixel_samples - 1) / params.pixel_samples, 1);
 
-  // trace(frame, light, whether with its size, rays, seed)
+  // trace(frame, its points, light, whether with its size, rays, seed)
   const auto trace_all = [&](const auto& trace) {
     const Frame& frame = session.frame();
+    const auto points = frame.read_points();
     for (const Light& light : frame.lights()) {
       LightReference& reference = set.lights.emplace_back();
-      reference.hard = trace(frame, light, false, 1, seed);
-      if (light.has_size() && wants_area) reference.area = trace(frame, light, true, params.samples, seed);
+      reference.hard = trace(frame, points, light, false, 1, seed);
+      if (light.has_size() && wants_area) reference.area = trace(frame, points, light, true, params.samples, seed);
     }
-    if (wants_pixel) average_pixels(session, places, params.area, set, seed, trace);
+    if (wants_pixel) average_pixels(session, points, places, params.area, set, seed, trace);
   };
   if (use_pipeline(session, session.device().info())) {
     set.kind = "pipeline";
     const AccelerationStructure& structure = session.context().acceleration_structure();
     check_triangles(structure.triangle_count(), rasterised, set.kind);
     const PipelineReference reference(session.device(), structure);
-    trace_all([&](const Frame& frame, const Light& light, bool area, int rays, uint32_t of_rays) {
+    trace_all([&](const Frame& frame, const auto&, const Light& light, bool area, int rays, uint32_t of_rays) {
       return reference.trace(frame, light, area, rays, of_rays);
     });
   } else {
     set.kind = "embree";
     const EmbreeReference reference(session.scene());
     check_triangles(reference.triangle_count(), rasterised, set.kind);
-    trace_all([&](const Frame& frame, const Light& light, bool area, int rays, uint32_t of_rays) {
-      return reference.trace(frame.read_points(), frame.camera().eye_ws, light, area, rays, of_rays);
+    trace_all([&](const Frame& frame, const auto& points, const Light& light, bool area, int rays, uint32_t of_rays) {
+      return reference.trace(points, frame.camera().eye_ws, light, area, rays, of_rays);
     });
   }
   return set;

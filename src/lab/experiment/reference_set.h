@@ -22,8 +22,6 @@ struct LightReference {
   std::optional<PixelVisibility> pixel;  // where the settings ask for it
 
   const ReferenceResult* find(Truth truth) const;  // nullptr where there is none
-  // The first of k_truths that is there.
-  const ReferenceResult& best() const;
 };
 
 struct ReferenceSet {

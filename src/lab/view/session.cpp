@@ -37,8 +37,7 @@ void warn_of_coarse_coordinates(const Scene& scene) {
         "{}: {:.3g} m across, and up to {:.3g} m from the origin, where 32-bit numbers are {:.2g} m apart: surfaces and "
         "shadows will be coarse or "
         "lost; move the model to the origin",
-        scene.source.empty() ? scene.name : scene.source, 2.0f * box.radius(), box.radius() + glm::length(box.centre()),
-        step_m);
+        scene.file_or_name(), 2.0f * box.radius(), box.radius() + glm::length(box.centre()), step_m);
   }
 }
 

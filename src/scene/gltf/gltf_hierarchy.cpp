@@ -162,7 +162,7 @@ std::vector<int> GltfHierarchy::shown_nodes(const std::string& scene) const {
 }
 
 std::vector<bool> GltfHierarchy::meshes_of(const std::vector<int>& nodes) const {
-  std::vector<bool> has(document_.root().objects("meshes").size(), nodes_.empty());
+  std::vector<bool> has(document_.root().count("meshes"), nodes_.empty());
   for (const int node : nodes) {
     const int mesh = json(node).index("mesh", has.size(), "meshes");
     if (mesh >= 0) has[static_cast<size_t>(mesh)] = true;

@@ -95,7 +95,7 @@ void GltfMaterials::say_what_is_lost() const {
 // --- pictures --------------------------------------------------------------------------------------------------------
 
 std::vector<bool> GltfMaterials::used_materials(const std::vector<bool>& shown_meshes) const {
-  std::vector<bool> used(document_.root().objects("materials").size(), false);
+  std::vector<bool> used(document_.root().count("materials"), false);
   const std::vector<GltfValue> meshes = document_.root().objects("meshes");
   for (size_t i = 0; i < meshes.size(); ++i) {
     if (!shown_meshes[i]) continue;
